@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "spectrum/spectrum.h"
+
+namespace lapidary {
+
+/// Real refractive index of a transparent medium as a function of wavelength in air or vacuum,
+/// as its source states it.
+class RefractiveIndex {
+ public:
+  static RefractiveIndex constant(double n);  ///< n > 0; no dispersion
+  /// n^2 = 1 + c0 + sum B_i L^2 / (L^2 - C_i), L in micrometres.
+  struct Sellmeier {
+    double constant = 0;
+    std::array<double, 3> b{};
+    std::array<double, 3> c{};  ///< um^2
+  };
+  static RefractiveIndex sellmeier(const Sellmeier& coefficients);
+  static RefractiveIndex table(SpectrumTable table);
+
+  double at(double nm) const;
+  std::array<double, 4> at(const Wavelengths& wavelengths) const;
+  bool dispersive() const;
+
+ private:
+  using Form = std::variant<double, Sellmeier, SpectrumTable>;
+  explicit RefractiveIndex(Form form) : form_(std::move(form)) {}
+  Form form_;
+};
+
+/// By catalogue name, ignoring case: "N-BK7", "N-SF11", "fused silica", "diamond", "sapphire",
+/// "water". Nothing when unknown.
+std::optional<RefractiveIndex> find_glass(std::string_view name);
+/// All names that `find_glass` knows, for messages.
+std::vector<std::string> glass_names();
+
+/// Complex refractive index n + i k of a conductor.
+struct ConductorIndex {
+  Spectrum n;
+  Spectrum k;
+};
+
+/// "gold" | "Au", "silver" | "Ag", "copper" | "Cu", "aluminium" | "aluminum" | "Al"; ignoring case.
+std::optional<ConductorIndex> find_metal(std::string_view name);
+std::vector<std::string> metal_names();
+
+}  // namespace lapidary

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+
+#include "spectrum/sampled_spectrum.h"
+
+namespace lapidary {
+
+inline constexpr double lambda_min = 360.0;  ///< nm
+inline constexpr double lambda_max = 830.0;  ///< nm
+
+/// Linear Rec. 709, the working space: D65 white is {1, 1, 1}.
+struct Rgb {
+  float r = 0, g = 0, b = 0;
+  bool operator==(const Rgb&) const = default;
+};
+
+/// The four wavelengths that all paths of one pass share, and everything that depends on them
+/// alone, so that a path only multiplies.
+///
+/// Index 0 is the hero, which a dispersive interface keeps; a path that loses the others carries
+/// on with weight `hero_only()`.
+class Wavelengths {
+ public:
+  /// `u` in [0, 1): the hero follows a density proportional to the eye's response, the other
+  /// three are rotated by quarters of the unit interval before the same warp.
+  static Wavelengths sample(double u);
+
+  double lambda(std::size_t i) const { return lambda_[i]; }  ///< nm
+  double pdf(std::size_t i) const { return pdf_[i]; }        ///< per nm
+
+  /// Linear Rec. 709 estimate of spectral radiance `L` [W/(m2 sr nm)]; a D65-shaped spectrum of
+  /// total radiance 1 W/(m2 sr) over 360-830 nm has the mean {1, 1, 1} over `u`.
+  Rgb to_rgb(SampledSpectrum L) const {
+    return {(L * rgb_weight_[0]).sum(), (L * rgb_weight_[1]).sum(), (L * rgb_weight_[2]).sum()};
+  }
+
+  /// Basis for reflectances: r * rgb_basis(0) + g * rgb_basis(1) + b * rgb_basis(2).
+  SampledSpectrum rgb_basis(std::size_t channel) const { return rgb_basis_[channel]; }
+  /// D65 with total radiance 1 over 360-830 nm [1/nm].
+  SampledSpectrum d65() const { return d65_; }
+
+  /// Multiplies a path that goes on with the hero wavelength alone: (4, 0, 0, 0).
+  static SampledSpectrum hero_only() { return {4, 0, 0, 0}; }
+
+ private:
+  std::array<double, 4> lambda_{};
+  std::array<double, 4> pdf_{};
+  std::array<SampledSpectrum, 3> rgb_weight_;
+  std::array<SampledSpectrum, 3> rgb_basis_;
+  SampledSpectrum d65_;
+};
+
+}  // namespace lapidary
