@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -30,11 +31,25 @@ class Spectrum {
   static Spectrum blackbody(double kelvin);
   static Spectrum table(SpectrumTable table);
 
-  SampledSpectrum at(const Wavelengths& wavelengths) const;
+  SampledSpectrum at(const Wavelengths& wavelengths) const {
+    if (const auto* reflectance = std::get_if<Reflectance>(&form_)) {
+      return wavelengths.reflectance(reflectance->rgb);
+    }
+    if (const auto* illuminant = std::get_if<Illuminant>(&form_)) {
+      return wavelengths.illuminant(illuminant->rgb);
+    }
+    if (const auto* constant = std::get_if<Constant>(&form_)) {
+      return SampledSpectrum(constant->value);
+    }
+    return tabulated_at(wavelengths);
+  }
   double at(double nm) const;
   Spectrum scaled(float factor) const;
   /// Integral over 360-830 nm.
   double integral() const;
+  /// Wavelengths from 360 to 830 nm in order, all whole ones among them: between two neighbours
+  /// the spectrum is a polynomial of at most second degree.
+  std::vector<double> knots() const;
 
  private:
   struct Constant {
@@ -52,6 +67,8 @@ class Spectrum {
   };
   using Form = std::variant<Constant, Reflectance, Illuminant, Tabulated>;
   explicit Spectrum(Form form) : form_(std::move(form)) {}
+
+  SampledSpectrum tabulated_at(const Wavelengths& wavelengths) const;
 
   Form form_;
 };
