@@ -10,24 +10,9 @@
 namespace lapidary {
 namespace {
 
-float interpolate(const SpectrumTable& table, double nm) {
-  const std::size_t last = table.values.size() - 1;
-  const double x =
-      std::clamp((nm - table.first_nm) / table.step_nm, 0.0, static_cast<double>(last));
-  const auto i = static_cast<std::size_t>(x);
-  const auto fraction = static_cast<float>(x - static_cast<double>(i));
-  return table.values[i] * (1.0f - fraction) + table.values[std::min(i + 1, last)] * fraction;
-}
-
 double reflectance_at(Rgb rgb, double nm) {
   const auto basis = rgb_basis_at(nm);
   return rgb.r * basis[0] + rgb.g * basis[1] + rgb.b * basis[2];
-}
-
-[[maybe_unused]] bool is_valid(const SpectrumTable& table) {
-  return !table.values.empty() && std::isfinite(table.first_nm) && table.step_nm > 0.0 &&
-         std::all_of(table.values.begin(), table.values.end(),
-                     [](float value) { return std::isfinite(value); });
 }
 
 /// Planck's law, relative to its value at 830 nm.
@@ -43,6 +28,21 @@ double planck(double kelvin, double nm) {
 }
 
 }  // namespace
+
+double SpectrumTable::at(double nm) const {
+  const std::size_t last = values.size() - 1;
+  const double x = std::clamp((nm - first_nm) / step_nm, 0.0, static_cast<double>(last));
+  const auto i = static_cast<std::size_t>(x);
+  const double fraction = x - static_cast<double>(i);
+  return values[i] * (1.0 - fraction) + values[std::min(i + 1, last)] * fraction;
+}
+
+bool is_valid(const SpectrumTable& table) {
+  return !table.values.empty() && std::isfinite(table.first_nm) && table.step_nm > 0.0 &&
+         std::isfinite(table.step_nm) &&
+         std::all_of(table.values.begin(), table.values.end(),
+                     [](float value) { return std::isfinite(value); });
+}
 
 Spectrum Spectrum::constant(float value) {
   return Spectrum(Constant{value});
@@ -79,10 +79,9 @@ Spectrum Spectrum::table(SpectrumTable table) {
 
 SampledSpectrum Spectrum::tabulated_at(const Wavelengths& wavelengths) const {
   const Tabulated& tabulated = std::get<Tabulated>(form_);
-  const SpectrumTable& table = *tabulated.table;
   SampledSpectrum values;
   for (std::size_t i = 0; i < SampledSpectrum::size; ++i) {
-    values.set(i, interpolate(table, wavelengths.lambda(i)));
+    values.set(i, static_cast<float>(tabulated.table->at(wavelengths.lambda(i))));
   }
   return tabulated.scale * values;
 }
@@ -96,7 +95,7 @@ double Spectrum::at(double nm) const {
   }
   if (const auto* constant = std::get_if<Constant>(&form_)) return constant->value;
   const Tabulated& tabulated = std::get<Tabulated>(form_);
-  return static_cast<double>(tabulated.scale) * interpolate(*tabulated.table, nm);
+  return tabulated.scale * tabulated.table->at(nm);
 }
 
 Spectrum Spectrum::scaled(float factor) const {

@@ -14,7 +14,13 @@ struct SpectrumTable {
   double first_nm = 0;
   double step_nm = 1;
   std::vector<float> values;
+
+  /// Precondition: `is_valid`.
+  double at(double nm) const;
 };
+
+/// At least one value, all of them finite, and a positive step.
+bool is_valid(const SpectrumTable& table);
 
 /// A function of wavelength over 360-830 nm: a reflectance, an illuminant, an index.
 class Spectrum {
@@ -28,7 +34,9 @@ class Spectrum {
   /// {r, g, b} shows as {r, g, b}. In W/(m2 sr nm) when it is a radiance.
   static Spectrum illuminant(Rgb rgb);
   /// Planck's law at `kelvin`, scaled to unit integral over 360-830 nm [1/nm].
+  /// Precondition: 1 <= kelvin < infinity.
   static Spectrum blackbody(double kelvin);
+  /// Precondition: `is_valid(table)`.
   static Spectrum table(SpectrumTable table);
 
   SampledSpectrum at(const Wavelengths& wavelengths) const {

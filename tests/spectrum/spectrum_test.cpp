@@ -126,7 +126,7 @@ TEST(Table, IsLinearInsideAndConstantOutside) {
   EXPECT_EQ(spectrum.at(500.0), 1.0);
   EXPECT_EQ(spectrum.at(505.0), 2.0);
   EXPECT_EQ(spectrum.at(510.0), 3.0);
-  EXPECT_EQ(spectrum.at(519.0), 2.1f);
+  EXPECT_NEAR(spectrum.at(519.0), 2.1, 1e-12);
   EXPECT_EQ(spectrum.at(520.0), 2.0);
   EXPECT_EQ(spectrum.at(900.0), 2.0);
   EXPECT_NEAR(spectrum.integral(), 140 + 20 + 25 + 620, 1e-6);
