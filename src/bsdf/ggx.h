@@ -45,10 +45,11 @@ struct Ggx {
                            alpha * (stretched.y + stretch * disk.position.y), z));
   }
 
-  /// Masking and shadowing of a reflection, correlated by height, over 4 cos_o cos_i. Heitz 2014,
-  /// "Understanding the Masking-Shadowing Function", equation 99.
-  double reflection_visibility(Vec3d wo, Vec3d wi) const {
-    return 0.5 / (wo.z * slant(wi) + wi.z * slant(wo));
+  /// G2 / (4 cos_o): times density(h) it is f cos_i of a reflection by white facets. G2 is masking
+  /// and shadowing correlated by height: Heitz 2014, "Understanding the Masking-Shadowing Function
+  /// in Microfacet-Based BRDFs", equation 99.
+  double reflection_share(Vec3d wo, Vec3d wi) const {
+    return 0.5 * wi.z / (wo.z * slant(wi) + wi.z * slant(wo));
   }
 
   /// D(h) G1(wo) (wo.h) / wo.z per solid angle of h [1/sr]; wo.h > 0. Heitz 2018, equation 3.

@@ -9,12 +9,13 @@ namespace {
 using lapidary::test::Random;
 using test::direction;
 
-// 61 views of 16 surfaces share a false-alarm rate of 1e-4.
+// About 90 views of surfaces share a false-alarm rate of 1e-4.
 TEST(Sampling, FollowsItsDensity) {
   for (const auto& [name, surface] : test::rough_surfaces()) {
-    for (const double view : test::views(surface)) {
-      const Vec3d wo = direction(view);
-      const Bsdf& bsdf = surface;
+    const Bsdf& bsdf = surface;
+    for (const double view : test::views(bsdf)) {
+      // Off the axis a little: quadrature would miss a narrow lobe in the corner of its cells.
+      const Vec3d wo = direction(0.95 * view);
       const auto result = lapidary::test::test_directions(
           [&](Random& random) -> std::optional<Vec3d> {
             const double u_lobe = random.uniform();
@@ -22,7 +23,7 @@ TEST(Sampling, FollowsItsDensity) {
             return s ? std::optional(s->wi) : std::nullopt;
           },
           [&](Vec3d wi) { return pdf(bsdf, wo, wi); },
-          {.samples = 40000, .tests = 100, .min_depth = 2, .max_depth = 7},
+          {.samples = 30000, .tests = 100, .min_depth = 3, .max_depth = 8},
           lapidary::test::sphere_grid(20, 20));
       EXPECT_TRUE(result.accepted) << name << " from " << view << ": " << result.message;
     }
@@ -67,7 +68,7 @@ TEST(Sampling, SurvivesHostileDirectionsAndNumbers) {
       for (const double a : {0.0, 0.5, below_one}) {
         for (const Vec2d u :
              {Vec2d{0, 0}, Vec2d{0.5, 0.5}, Vec2d{below_one, 0}, Vec2d{below_one, below_one}}) {
-          const auto s = sample(bsdf, wo, a, u, Mode::radiance);
+          const auto s = sample(bsdf, wo, a, u, Mode::importance);
           if (!s) continue;
           EXPECT_TRUE(is_finite(s->wi)) << name << " " << z;
           EXPECT_TRUE(std::isfinite(s->pdf) && s->pdf >= 0.0) << name << " " << z;

@@ -51,6 +51,11 @@ inline bool transparent(const Bsdf& bsdf) {
          std::holds_alternative<RoughDielectric>(bsdf);
 }
 
+inline bool dispersive(const Bsdf& bsdf) {
+  const auto* glass = std::get_if<RoughDielectric>(&bsdf);
+  return glass && glass->index.dispersive();
+}
+
 inline Vec3d direction(double cos_theta, double phi = 0.7) {
   const double sin_theta = std::sqrt(1.0 - cos_theta * cos_theta);
   return {sin_theta * std::cos(phi), sin_theta * std::sin(phi), cos_theta};
