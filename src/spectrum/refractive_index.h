@@ -23,10 +23,12 @@ class RefractiveIndex {
     std::array<double, 3> c{};  ///< um^2
   };
   static RefractiveIndex sellmeier(const Sellmeier& coefficients);
+  /// Precondition: `is_valid(table)`, all values above zero.
   static RefractiveIndex table(SpectrumTable table);
 
   double at(double nm) const;
   std::array<double, 4> at(const Wavelengths& wavelengths) const;
+  /// Whether the index differs between wavelengths.
   bool dispersive() const;
 
  private:
@@ -35,8 +37,9 @@ class RefractiveIndex {
   Form form_;
 };
 
-/// By catalogue name, ignoring case: "N-BK7", "N-SF11", "fused silica", "diamond", "sapphire",
-/// "water". Nothing when unknown.
+/// By catalogue name, ignoring case and everything but letters and digits: "N-BK7" (also "BK7"),
+/// "N-SF11", "fused silica" (also "silica"), "diamond", "sapphire" (ordinary ray), "water".
+/// Nothing when unknown. Sources beside the data, in glasses.cpp.
 std::optional<RefractiveIndex> find_glass(std::string_view name);
 /// All names that `find_glass` knows, for messages.
 std::vector<std::string> glass_names();
@@ -48,6 +51,7 @@ struct ConductorIndex {
 };
 
 /// "gold" | "Au", "silver" | "Ag", "copper" | "Cu", "aluminium" | "aluminum" | "Al"; ignoring case.
+/// Nothing when unknown. Sources beside the data, in metals.cpp.
 std::optional<ConductorIndex> find_metal(std::string_view name);
 std::vector<std::string> metal_names();
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 namespace lapidary {
@@ -21,19 +22,20 @@ class SampledSpectrum {
   Vector vector() const { return v_; }
 
   SampledSpectrum& operator+=(SampledSpectrum b) { return v_ += b.v_, *this; }
+  SampledSpectrum& operator-=(SampledSpectrum b) { return v_ -= b.v_, *this; }
   SampledSpectrum& operator*=(SampledSpectrum b) { return v_ *= b.v_, *this; }
   SampledSpectrum& operator*=(float s) { return v_ *= s, *this; }
+  SampledSpectrum& operator/=(SampledSpectrum b) { return v_ /= b.v_, *this; }
+  SampledSpectrum& operator/=(float s) { return v_ /= s, *this; }
 
+  friend SampledSpectrum operator-(SampledSpectrum a) { return SampledSpectrum(-a.v_); }
   friend SampledSpectrum operator+(SampledSpectrum a, SampledSpectrum b) { return a += b; }
-  friend SampledSpectrum operator-(SampledSpectrum a, SampledSpectrum b) {
-    return SampledSpectrum(a.v_ - b.v_);
-  }
+  friend SampledSpectrum operator-(SampledSpectrum a, SampledSpectrum b) { return a -= b; }
   friend SampledSpectrum operator*(SampledSpectrum a, SampledSpectrum b) { return a *= b; }
   friend SampledSpectrum operator*(SampledSpectrum a, float s) { return a *= s; }
   friend SampledSpectrum operator*(float s, SampledSpectrum a) { return a *= s; }
-  friend SampledSpectrum operator/(SampledSpectrum a, SampledSpectrum b) {
-    return SampledSpectrum(a.v_ / b.v_);
-  }
+  friend SampledSpectrum operator/(SampledSpectrum a, SampledSpectrum b) { return a /= b; }
+  friend SampledSpectrum operator/(SampledSpectrum a, float s) { return a /= s; }
 
   float sum() const { return (v_[0] + v_[1]) + (v_[2] + v_[3]); }
   float average() const { return 0.25f * sum(); }
@@ -41,10 +43,38 @@ class SampledSpectrum {
     const float a = v_[0] > v_[1] ? v_[0] : v_[1], b = v_[2] > v_[3] ? v_[2] : v_[3];
     return a > b ? a : b;
   }
+  float min() const {
+    const float a = v_[0] < v_[1] ? v_[0] : v_[1], b = v_[2] < v_[3] ? v_[2] : v_[3];
+    return a < b ? a : b;
+  }
   bool is_zero() const { return v_[0] == 0 && v_[1] == 0 && v_[2] == 0 && v_[3] == 0; }
+  /// No infinity and no NaN.
+  bool is_finite() const {
+    const Vector zero = v_ - v_;
+    return zero[0] == 0 && zero[1] == 0 && zero[2] == 0 && zero[3] == 0;
+  }
 
  private:
   Vector v_;
 };
+
+/// Of non-negative values.
+inline SampledSpectrum sqrt(SampledSpectrum a) {
+  return {std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+}
+inline SampledSpectrum exp(SampledSpectrum a) {
+  return {std::exp(a[0]), std::exp(a[1]), std::exp(a[2]), std::exp(a[3])};
+}
+inline SampledSpectrum min(SampledSpectrum a, SampledSpectrum b) {
+  return SampledSpectrum(b.vector() < a.vector() ? b.vector() : a.vector());
+}
+inline SampledSpectrum max(SampledSpectrum a, SampledSpectrum b) {
+  return SampledSpectrum(a.vector() < b.vector() ? b.vector() : a.vector());
+}
+/// a / b, and 0 where b is 0: for factors that were zero before the division.
+inline SampledSpectrum safe_div(SampledSpectrum a, SampledSpectrum b) {
+  const SampledSpectrum::Vector zero{0, 0, 0, 0};
+  return SampledSpectrum(b.vector() == zero ? zero : a.vector() / b.vector());
+}
 
 }  // namespace lapidary

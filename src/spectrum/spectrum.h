@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -13,7 +14,13 @@ struct SpectrumTable {
   double first_nm = 0;
   double step_nm = 1;
   std::vector<float> values;
+
+  /// Precondition: `is_valid`.
+  double at(double nm) const;
 };
+
+/// At least one value, all of them finite, and a positive step.
+bool is_valid(const SpectrumTable& table);
 
 /// A function of wavelength over 360-830 nm: a reflectance, an illuminant, an index.
 class Spectrum {
@@ -27,14 +34,30 @@ class Spectrum {
   /// {r, g, b} shows as {r, g, b}. In W/(m2 sr nm) when it is a radiance.
   static Spectrum illuminant(Rgb rgb);
   /// Planck's law at `kelvin`, scaled to unit integral over 360-830 nm [1/nm].
+  /// Precondition: 1 <= kelvin < infinity.
   static Spectrum blackbody(double kelvin);
+  /// Precondition: `is_valid(table)`.
   static Spectrum table(SpectrumTable table);
 
-  SampledSpectrum at(const Wavelengths& wavelengths) const;
+  SampledSpectrum at(const Wavelengths& wavelengths) const {
+    if (const auto* reflectance = std::get_if<Reflectance>(&form_)) {
+      return wavelengths.reflectance(reflectance->rgb);
+    }
+    if (const auto* illuminant = std::get_if<Illuminant>(&form_)) {
+      return wavelengths.illuminant(illuminant->rgb);
+    }
+    if (const auto* constant = std::get_if<Constant>(&form_)) {
+      return SampledSpectrum(constant->value);
+    }
+    return tabulated_at(wavelengths);
+  }
   double at(double nm) const;
   Spectrum scaled(float factor) const;
   /// Integral over 360-830 nm.
   double integral() const;
+  /// Wavelengths from 360 to 830 nm in order, all whole ones among them: between two neighbours
+  /// the spectrum is a polynomial of at most second degree.
+  std::vector<double> knots() const;
 
  private:
   struct Constant {
@@ -52,6 +75,8 @@ class Spectrum {
   };
   using Form = std::variant<Constant, Reflectance, Illuminant, Tabulated>;
   explicit Spectrum(Form form) : form_(std::move(form)) {}
+
+  SampledSpectrum tabulated_at(const Wavelengths& wavelengths) const;
 
   Form form_;
 };

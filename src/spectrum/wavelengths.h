@@ -2,18 +2,13 @@
 
 #include <array>
 
+#include "spectrum/rgb.h"
 #include "spectrum/sampled_spectrum.h"
 
 namespace lapidary {
 
 inline constexpr double lambda_min = 360.0;  ///< nm
 inline constexpr double lambda_max = 830.0;  ///< nm
-
-/// Linear Rec. 709, the working space: D65 white is {1, 1, 1}.
-struct Rgb {
-  float r = 0, g = 0, b = 0;
-  bool operator==(const Rgb&) const = default;
-};
 
 /// The four wavelengths that all paths of one pass share, and everything that depends on them
 /// alone, so that a path only multiplies.
@@ -39,6 +34,14 @@ class Wavelengths {
   SampledSpectrum rgb_basis(std::size_t channel) const { return rgb_basis_[channel]; }
   /// D65 with total radiance 1 over 360-830 nm [1/nm].
   SampledSpectrum d65() const { return d65_; }
+
+  /// `Spectrum::reflectance(rgb)` here, at no more than its five multiplications and additions.
+  /// Exactly 1 for {1, 1, 1}.
+  SampledSpectrum reflectance(Rgb rgb) const {
+    return (rgb.r * rgb_basis_[0] + rgb.g * rgb_basis_[1]) + rgb.b * rgb_basis_[2];
+  }
+  /// `Spectrum::illuminant(rgb)` here.
+  SampledSpectrum illuminant(Rgb rgb) const { return reflectance(rgb) * d65_; }
 
   /// Multiplies a path that goes on with the hero wavelength alone: (4, 0, 0, 0).
   static SampledSpectrum hero_only() { return {4, 0, 0, 0}; }
