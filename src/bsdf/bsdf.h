@@ -1,0 +1,82 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "bsdf/conductor.h"
+#include "bsdf/diffuse.h"
+#include "bsdf/material.h"
+#include "bsdf/rough_dielectric.h"
+#include "bsdf/scattering.h"
+#include "bsdf/smooth_dielectric.h"
+#include "spectrum/wavelengths.h"
+
+/// Scattering at a surface point.
+///
+/// All directions are unit vectors that point away from the surface, in the local frame whose z
+/// is the shading normal. Opaque surfaces scatter above it only: the caller turns the frame so
+/// that wo.z > 0. Transparent ones read the side from the sign of wo.z; z points out of the solid.
+/// Values are at the wavelengths given when the BSDF was made. Nothing here fails: directions that
+/// scatter nothing (also z = 0, and wo.z < 0 on opaque surfaces) have value zero and no sample.
+namespace lapidary::bsdf {
+
+/// Scatters nothing; what the surface of a pure light source is made of.
+struct Black {};
+inline BsdfValue evaluate_with_pdf(const Black&, Vec3d, Vec3d, Mode) {
+  return {};
+}
+inline std::optional<BsdfSample> sample(const Black&, Vec3d, double, Vec2d, Mode) {
+  return {};
+}
+
+using Bsdf = std::variant<Diffuse, Conductor, Mirror, SmoothDielectric, RoughDielectric, Black>;
+
+Bsdf make_bsdf(const Matte& matte, const Wavelengths& wavelengths);
+
+Bsdf make_bsdf(const Metal& metal, const Wavelengths& wavelengths);
+
+/// The refractive indices at a path's wavelengths on both sides of a surface.
+struct InterfaceIndices {
+  std::array<double, 4> above;  ///< the side that z points to
+  std::array<double, 4> below;
+};
+
+/// Glass from the indices that the caller has looked up, maybe once for many paths. Only the hero's
+/// indices count when that is all the path carries.
+Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carried);
+
+/// Glass, with `outside` on the side that z points to.
+Bsdf make_bsdf(const Glass& glass, const RefractiveIndex& outside, const Wavelengths& wavelengths,
+               Carried carried);
+
+/// f(wo, wi) |cos theta_i| per steradian and the density, per solid angle, with which `sample`
+/// chooses wi; both without specular lobes. The hot call of next-event estimation. Where wi lies
+/// behind a dispersive surface the value is the hero's, times `Wavelengths::hero_only()`.
+inline BsdfValue evaluate_with_pdf(const Bsdf& bsdf, Vec3d wo, Vec3d wi, Mode mode) {
+  return std::visit([&](const auto& kind) { return evaluate_with_pdf(kind, wo, wi, mode); }, bsdf);
+}
+
+/// The first half of `evaluate_with_pdf`.
+inline SampledSpectrum evaluate(const Bsdf& bsdf, Vec3d wo, Vec3d wi, Mode mode) {
+  return evaluate_with_pdf(bsdf, wo, wi, mode).f_cos;
+}
+
+/// The second half of `evaluate_with_pdf`.
+inline double pdf(const Bsdf& bsdf, Vec3d wo, Vec3d wi) {
+  return evaluate_with_pdf(bsdf, wo, wi, Mode::radiance).pdf;
+}
+
+/// A direction with density `pdf`, or nothing if the surface absorbs or the direction would leave
+/// on the wrong side: a sample of value zero. `u_lobe` and `u` are uniform in [0, 1).
+inline std::optional<BsdfSample> sample(const Bsdf& bsdf, Vec3d wo, double u_lobe, Vec2d u,
+                                        Mode mode) {
+  return std::visit([&](const auto& kind) { return sample(kind, wo, u_lobe, u, mode); }, bsdf);
+}
+
+/// Whether all lobes are specular, so that next-event estimation finds nothing.
+inline bool is_specular(const Bsdf& bsdf) {
+  return std::holds_alternative<Mirror>(bsdf) || std::holds_alternative<SmoothDielectric>(bsdf) ||
+         std::holds_alternative<Black>(bsdf);
+}
+
+}  // namespace lapidary::bsdf

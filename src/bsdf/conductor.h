@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+
+#include "bsdf/fresnel.h"
+#include "bsdf/ggx.h"
+#include "bsdf/ggx_albedo.h"
+#include "bsdf/scattering.h"
+
+namespace lapidary::bsdf {
+
+/// A smooth opaque metal: one specular reflection.
+struct Mirror {
+  ConductorFresnel fresnel;
+};
+
+/// A rough opaque metal: GGX facets, and a wide lobe for light that bounces between them more than
+/// once, so that a metal that absorbs nothing loses nothing (within 0.001) at any roughness.
+/// Reciprocal. Source: Kulla & Conty 2017, "Revisiting Physically Based Shading at Imageworks".
+class Conductor {
+ public:
+  /// `alpha` in (0, 1].
+  Conductor(const ConductorFresnel& fresnel, double alpha);
+
+  BsdfValue evaluate_with_pdf(Vec3d wo, Vec3d wi) const;
+  std::optional<BsdfSample> sample(Vec3d wo, double u_lobe, Vec2d u) const;
+
+ private:
+  ConductorFresnel fresnel_;
+  Ggx facets_;
+  GgxAlbedo albedo_;
+  SampledSpectrum wide_;  ///< of the wide lobe, over (1 - E(wo)) (1 - E(wi))
+};
+
+inline BsdfValue evaluate_with_pdf(const Mirror&, Vec3d, Vec3d, Mode) {
+  return {};
+}
+
+inline std::optional<BsdfSample> sample(const Mirror& bsdf, Vec3d wo, double, Vec2d, Mode) {
+  if (!(wo.z > 0.0)) return {};
+  return BsdfSample{{-wo.x, -wo.y, wo.z}, bsdf.fresnel.at(wo.z), 0.0, Lobe::specular};
+}
+
+inline BsdfValue evaluate_with_pdf(const Conductor& bsdf, Vec3d wo, Vec3d wi, Mode) {
+  return bsdf.evaluate_with_pdf(wo, wi);
+}
+
+inline std::optional<BsdfSample> sample(const Conductor& bsdf, Vec3d wo, double u_lobe, Vec2d u,
+                                        Mode) {
+  return bsdf.sample(wo, u_lobe, u);
+}
+
+}  // namespace lapidary::bsdf

@@ -1,0 +1,45 @@
+#include "bsdf/fresnel.h"
+
+namespace lapidary::bsdf {
+namespace {
+
+using Vector = SampledSpectrum::Vector;
+
+Vector square_root(Vector v) {
+  for (int i = 0; i < 4; ++i) v[i] = std::sqrt(v[i]);
+  return v;
+}
+
+}  // namespace
+
+ConductorFresnel ConductorFresnel::from_index(SampledSpectrum n, SampledSpectrum k) {
+  return {Form::index, n, k};
+}
+
+ConductorFresnel ConductorFresnel::from_normal_incidence(SampledSpectrum reflectance) {
+  return {Form::normal_incidence, reflectance, SampledSpectrum()};
+}
+
+// With a + i b = sqrt((n + i k)^2 - sin^2), the refracted wave's normal component: Born & Wolf
+// 1999, section 14.4, written without complex numbers. 2 a^2 = |a + i b|^2 + (n^2 - k^2 - sin^2).
+SampledSpectrum ConductorFresnel::exact(float cosine) const {
+  const float cos2 = cosine * cosine, sin2 = 1.0f - cos2;
+  const Vector n2 = a_.vector() * a_.vector(), k2 = b_.vector() * b_.vector();
+  const Vector real = n2 - k2 - sin2;
+  const Vector norm = square_root(real * real + 4.0f * n2 * k2);
+  Vector a2 = 0.5f * (norm + real);
+  for (int i = 0; i < 4; ++i) a2[i] = std::max(a2[i], 0.0f);
+  const Vector s_even = norm + cos2, s_odd = 2.0f * cosine * square_root(a2);
+  const Vector p_even = cos2 * norm + sin2 * sin2, p_odd = s_odd * sin2;
+  const Vector s = (s_even - s_odd) / (s_even + s_odd);
+  // Parallel to the surface both even parts are the whole: p is s times one.
+  const Vector p = s * (p_even - p_odd) / (p_even + p_odd);
+  return SampledSpectrum(0.5f * (s + p));
+}
+
+SampledSpectrum ConductorFresnel::average() const {
+  const SampledSpectrum f0 = form_ == Form::index ? exact(1.0f) : a_;
+  return f0 + (SampledSpectrum(1.0f) - f0) * (1.0f / 21.0f);
+}
+
+}  // namespace lapidary::bsdf

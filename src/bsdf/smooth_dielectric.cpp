@@ -1,0 +1,51 @@
+#include "bsdf/smooth_dielectric.h"
+
+namespace lapidary::bsdf {
+
+RelativeIndex::RelativeIndex(const std::array<double, 4>& above, const std::array<double, 4>& below)
+    : dispersive_(false) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    below_over_above_[i] = below[i] / above[i];
+    above_over_below_[i] = above[i] / below[i];
+    dispersive_ = dispersive_ || below_over_above_[i] != below_over_above_[0];
+  }
+}
+
+RelativeIndex::Split RelativeIndex::split(double cos_incident, double z) const {
+  const auto& eta = z > 0.0 ? below_over_above_ : above_over_below_;
+  const Refraction hero = refract(cos_incident, eta[0]);
+  const double transmittance = 1.0 - hero.reflectance;
+  SampledSpectrum reflectance(static_cast<float>(hero.reflectance));
+  double mean = hero.reflectance;
+  if (dispersive_) {
+    for (std::size_t i = 1; i < 4; ++i) {
+      const double f = refract(cos_incident, eta[i]).reflectance;
+      reflectance.set(i, static_cast<float>(f));
+      mean += f;
+    }
+    mean = 0.25 * (mean);
+  }
+  return {reflectance, transmittance, hero.cos_refracted, mean / (mean + transmittance)};
+}
+
+std::optional<BsdfSample> sample(const SmoothDielectric& bsdf, Vec3d wo, double u_lobe, Vec2d,
+                                 Mode mode) {
+  if (wo.z == 0.0) return {};
+  const RelativeIndex::Split split = bsdf.index.split(std::abs(wo.z), wo.z);
+  const double q = split.chance_to_reflect;
+  if (u_lobe < q) {
+    return BsdfSample{
+        {-wo.x, -wo.y, wo.z}, split.reflectance * static_cast<float>(1.0 / q), 0.0, Lobe::specular};
+  }
+  const double eta = bsdf.index.hero(wo.z);
+  const Vec3d wi(-wo.x / eta, -wo.y / eta, std::copysign(split.cos_refracted, -wo.z));
+  return BsdfSample{wi,
+                    bsdf.index.refracted(split.transmittance / (1.0 - q), eta, mode),
+                    0.0,
+                    Lobe::specular,
+                    Side::transmitted,
+                    eta,
+                    bsdf.index.carried_by_refraction()};
+}
+
+}  // namespace lapidary::bsdf

@@ -1,0 +1,99 @@
+// Prints src/bsdf/ggx_albedo_table.cpp: the directional albedo of white GGX facets after a single
+// bounce. Run by hand when the distribution changes, from the root of the repository:
+//
+//   g++ -std=c++20 -O2 -Isrc tools/ggx_albedo.cpp -o /tmp/ggx_albedo && /tmp/ggx_albedo
+
+#include "bsdf/ggx_albedo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+
+#include "bsdf/ggx.h"
+
+namespace lapidary::bsdf {
+namespace {
+
+constexpr std::size_t size = ggx_albedo_size;
+
+double grid(std::size_t i) {
+  return static_cast<double>(i) / (size - 1);
+}
+
+// Row 0 stands for the limit alpha -> 0, where the albedo is a function of mu / alpha.
+double alpha_of_row(std::size_t row) {
+  return std::max(grid(row) * grid(row), 1e-5);
+}
+
+// The inverse of ggx_albedo_column.
+double mu_of_column(double t, double alpha) {
+  return t * alpha / (1.0 + alpha - t);
+}
+
+// The mean of G2 / G1 over visible normals, on a Fibonacci lattice: where wi sinks below the
+// surface the integrand breaks off, which a grid would step over in whole rows.
+double albedo(double alpha, double mu) {
+  constexpr int points = 832040, previous = 514229;  // Fibonacci numbers
+  const Ggx ggx{alpha};
+  const Vec3d wo(std::sqrt(1.0 - mu * mu), 0.0, mu);
+  double sum = 0.0;
+  for (std::int64_t i = 0; i < points; ++i) {
+    const Vec2d u{(static_cast<double>(i) + 0.5) / points,
+                  static_cast<double>(i * previous % points) / points};
+    const Vec3d h = ggx.sample_visible(wo, u);
+    const Vec3d wi = 2.0 * dot(wo, h) * h - wo;
+    if (wi.z <= 0.0) continue;
+    sum += 2.0 * wi.z * (mu + ggx.slant(wo)) * ggx.reflection_visibility(wo, wi);
+  }
+  return sum / points;
+}
+
+// 2 times the integral over mu of the interpolated row times mu, by the midpoint rule over t.
+double average(const std::array<float, size>& row, double alpha) {
+  constexpr int points = 1000 * (size - 1);
+  double sum = 0.0;
+  for (int i = 0; i < points; ++i) {
+    const double low = i / static_cast<double>(points), high = (i + 1.0) / points;
+    const double mu_low = mu_of_column(low, alpha), mu_high = mu_of_column(high, alpha);
+    const double x = 0.5 * (low + high) * (size - 1);
+    const auto column = static_cast<std::size_t>(x);
+    const double value = std::lerp(row[column], row[column + 1], x - static_cast<double>(column));
+    sum += value * (mu_high - mu_low) * (mu_high + mu_low);
+  }
+  return sum;
+}
+
+void print_row(const std::array<float, size>& row) {
+  for (std::size_t i = 0; i < size; ++i)
+    std::printf("%s%.6ff,", i % 8 == 0 ? "\n    " : " ", row[i]);
+}
+
+void print_table() {
+  std::printf("#include \"bsdf/ggx_albedo.h\"\n\n");
+  std::printf("// Made by tools/ggx_albedo.cpp.\n");
+  std::printf("// clang-format off\nnamespace lapidary::bsdf {\n\n");
+  std::printf("const GgxAlbedoTable ggx_albedo_table = {{");
+  std::array<float, size> averages{};
+  for (std::size_t r = 0; r < size; ++r) {
+    std::array<float, size> row{};
+    const double alpha = alpha_of_row(r);
+    for (std::size_t c = 0; c < size; ++c)
+      row[c] =
+          static_cast<float>(albedo(alpha, std::clamp(mu_of_column(grid(c), alpha), 1e-12, 1.0)));
+    averages[r] = static_cast<float>(average(row, alpha));
+    std::printf("\n  {{");
+    print_row(row);
+    std::printf("\n  }},");
+  }
+  std::printf("\n}};\n\nconst std::array<float, ggx_albedo_size> ggx_average_albedo_table = {");
+  print_row(averages);
+  std::printf("\n};\n\n}  // namespace lapidary::bsdf\n// clang-format on\n");
+}
+
+}  // namespace
+}  // namespace lapidary::bsdf
+
+int main() {
+  lapidary::bsdf::print_table();
+}
