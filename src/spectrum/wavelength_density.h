@@ -9,9 +9,9 @@ namespace lapidary {
 /// The density from which wavelengths are drawn: linear between whole nanometres, nowhere zero on
 /// 360-830 nm.
 ///
-/// Proportional to the sum of the observer's three functions, made smooth, on a low floor. Smooth,
-/// so that the radiance divided by it is smooth too and few strata integrate it well; the floor
-/// keeps the weights of the ends bounded, where the observer is almost blind.
+/// The square root of the sum of the observer's three functions, made smooth, on a low floor. The
+/// sum itself would give a single wavelength a variance 5 % lower, but the root makes the weights
+/// smoother and the tails fuller, and integrates ten times better with sixteen wavelengths or more.
 class WavelengthDensity {
  public:
   WavelengthDensity();

@@ -1,6 +1,7 @@
 #include "spectrum/wavelengths.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 
 #include "spectrum/cie_functions.h"
@@ -9,6 +10,12 @@
 
 namespace lapidary {
 namespace {
+
+std::uint64_t reverse_bits(std::uint64_t bits) {
+  std::uint64_t reversed = 0;
+  for (int i = 0; i < 64; ++i) reversed |= (bits >> i & 1) << (63 - i);
+  return reversed;
+}
 
 /// The weight of radiance at `nm` in each component of linear Rec. 709.
 Vec3d rgb_response(double nm) {
@@ -44,6 +51,18 @@ Wavelengths Wavelengths::sample(double u) {
     w.d65_.set(i, static_cast<float>(d65_at(nm)));
   }
   return w;
+}
+
+double Wavelengths::pass_stratum(std::uint64_t pass, double rotation) {
+  assert(rotation >= 0.0 && rotation < 1.0);
+  // The place within a quarter is the radical inverse of the pass: a block of 2^m passes has one in
+  // each 2^-m. The quarter must then be settled by the two highest bits of the block's counter, for
+  // every m: the parities of the even and of the odd bits do that.
+  const double within = static_cast<double>(reverse_bits(pass) >> 11) * 0x1p-53;
+  const int even = std::popcount(pass & 0x5555555555555555) & 1;
+  const int odd = std::popcount(pass & 0xaaaaaaaaaaaaaaaa) & 1;
+  const double u = 0.25 * (2 * even + odd + within) + rotation;
+  return u < 1.0 ? u : u - 1.0;
 }
 
 }  // namespace lapidary

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "spectrum/rgb.h"
 #include "spectrum/sampled_spectrum.h"
@@ -17,9 +18,19 @@ inline constexpr double lambda_max = 830.0;  ///< nm
 /// on with weight `hero_only()`.
 class Wavelengths {
  public:
-  /// `u` in [0, 1): the hero follows a density proportional to the eye's response, the other
-  /// three are rotated by quarters of the unit interval before the same warp.
+  /// `u` in [0, 1): the hero follows a density shaped like the eye's response, the other three are
+  /// rotated by quarters of the unit interval before the same warp.
+  ///
+  /// Accuracy of the mean of `to_rgb` over N values from `pass_stratum`, relative to the largest
+  /// component, as root mean square over sixteen spectra (D65 on nine RGB reflectances, gold and
+  /// copper, blackbodies of 2000-10000 K) and all rotations: 0.11 for N = 1, 0.004 for 4, 0.0003
+  /// for 16, 2e-5 for 64.
   static Wavelengths sample(double u);
+  /// The `u` of a pass, such that every aligned block of 2^m passes has one hero in each 2^-m of
+  /// the unit interval, and all its 4 * 2^m wavelengths in strata of their own. (Plain strata of
+  /// u will not do: four of them, a quarter turn apart, give the same four wavelengths.)
+  /// `rotation` in [0, 1), say from the seed, turns all of them.
+  static double pass_stratum(std::uint64_t pass, double rotation);
 
   double lambda(std::size_t i) const { return lambda_[i]; }  ///< nm
   double pdf(std::size_t i) const { return pdf_[i]; }        ///< per nm

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <vector>
 
@@ -88,6 +89,64 @@ TEST(Wavelengths, TheOthersAreQuarterTurns) {
     for (std::size_t i = 0; i < 4; ++i) {
       const double turned = u + 0.25 * static_cast<double>(i);
       EXPECT_NEAR(density.cdf(w.lambda(i)), turned - std::floor(turned), 1e-13);
+    }
+  }
+}
+
+TEST(Wavelengths, StrataOfPassesAreBalanced) {
+  for (const double rotation : {0.0, 0.3, 0.999}) {
+    for (int m = 0; m <= 8; ++m) {
+      const std::size_t passes = std::size_t{1} << m;
+      for (const std::uint64_t block : {0, 1, 5}) {
+        std::vector<int> heroes(passes), all(4 * passes);
+        for (std::uint64_t k = 0; k < passes; ++k) {
+          const double u = Wavelengths::pass_stratum(block * passes + k, rotation);
+          ASSERT_GE(u, 0.0);
+          ASSERT_LT(u, 1.0);
+          for (int i = 0; i < 4; ++i) {
+            // Seen without the rotation, and clear of rounding at the borders.
+            double turned = u + 0.25 * i - rotation + 1.0 + 0x1p-20;
+            turned -= std::floor(turned);
+            if (i == 0) ++heroes[static_cast<std::size_t>(turned * static_cast<double>(passes))];
+            ++all[static_cast<std::size_t>(turned * static_cast<double>(4 * passes))];
+          }
+        }
+        EXPECT_EQ(heroes, std::vector<int>(passes, 1));
+        EXPECT_EQ(all, std::vector<int>(4 * passes, 1));
+      }
+    }
+  }
+  EXPECT_LT(Wavelengths::pass_stratum(~std::uint64_t{0}, 0.0), 1.0);
+}
+
+TEST(Wavelengths, FewPassesIntegrateWell) {
+  const Spectrum spectra[] = {Spectrum::illuminant({1, 1, 1}),
+                              Spectrum::illuminant({1, 0, 0}),
+                              Spectrum::illuminant({0, 1, 0}),
+                              Spectrum::illuminant({0, 0, 1}),
+                              Spectrum::illuminant({0.527f, 0.216f, 0.051f}),
+                              Spectrum::blackbody(2856),
+                              Spectrum::blackbody(6504)};
+  const struct {
+    int passes;
+    double worst;
+  } cases[] = {{1, 0.5}, {4, 0.02}, {16, 0.0015}, {64, 0.0002}};
+  for (const auto& [passes, worst] : cases) {
+    for (const Spectrum& spectrum : spectra) {
+      const Rgb exact = rgb_of(spectrum);
+      const double size = std::max({exact.r, exact.g, exact.b});
+      for (int turn = 0; turn < 16; ++turn) {
+        Vec3d sum;
+        for (int k = 0; k < passes; ++k) {
+          const double u = Wavelengths::pass_stratum(static_cast<std::uint64_t>(k), turn / 16.0);
+          const Wavelengths w = Wavelengths::sample(u);
+          const Rgb rgb = w.to_rgb(spectrum.at(w));
+          sum += {rgb.r, rgb.g, rgb.b};
+        }
+        const Vec3d mean = sum / static_cast<double>(passes);
+        const Vec3d error = abs(mean - Vec3d{exact.r, exact.g, exact.b});
+        EXPECT_LT(max_component(error), worst * size) << passes << " passes";
+      }
     }
   }
 }
