@@ -7,11 +7,20 @@
 namespace lapidary {
 namespace {
 
-double sellmeier_index(const RefractiveIndex::Sellmeier& s, double nm) {
-  const double square = nm * nm * 1e-6;
-  double n_squared = 1.0 + s.constant;
-  for (std::size_t i = 0; i < s.b.size(); ++i) n_squared += s.b[i] * square / (square - s.c[i]);
-  return std::sqrt(n_squared);
+/// Term by term, so that the compiler may take all wavelengths at once.
+template <std::size_t N>
+std::array<double, N> sellmeier_index(const RefractiveIndex::Sellmeier& s,
+                                      std::array<double, N> nm) {
+  std::array<double, N> square, n;
+  for (std::size_t k = 0; k < N; ++k) {
+    square[k] = nm[k] * nm[k] * 1e-6;
+    n[k] = 1.0 + s.constant;
+  }
+  for (std::size_t i = 0; i < s.b.size(); ++i) {
+    for (std::size_t k = 0; k < N; ++k) n[k] += s.b[i] * square[k] / (square[k] - s.c[i]);
+  }
+  for (std::size_t k = 0; k < N; ++k) n[k] = std::sqrt(n[k]);
+  return n;
 }
 
 }  // namespace
@@ -33,13 +42,16 @@ RefractiveIndex RefractiveIndex::table(SpectrumTable table) {
 double RefractiveIndex::at(double nm) const {
   if (const auto* constant = std::get_if<double>(&form_)) return *constant;
   if (const auto* sellmeier = std::get_if<Sellmeier>(&form_))
-    return sellmeier_index(*sellmeier, nm);
+    return sellmeier_index<1>(*sellmeier, {nm})[0];
   return std::get<SpectrumTable>(form_).at(nm);
 }
 
 std::array<double, 4> RefractiveIndex::at(const Wavelengths& wavelengths) const {
-  std::array<double, 4> n;
-  for (std::size_t i = 0; i < n.size(); ++i) n[i] = at(wavelengths.lambda(i));
+  std::array<double, 4> nm, n;
+  for (std::size_t i = 0; i < nm.size(); ++i) nm[i] = wavelengths.lambda(i);
+  if (const auto* sellmeier = std::get_if<Sellmeier>(&form_))
+    return sellmeier_index(*sellmeier, nm);
+  for (std::size_t i = 0; i < n.size(); ++i) n[i] = at(nm[i]);
   return n;
 }
 

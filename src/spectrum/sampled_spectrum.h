@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include <xmmintrin.h>
+
 namespace lapidary {
 
 /// Values at the four hero wavelengths of a path, in one SIMD register.
@@ -47,12 +49,9 @@ class SampledSpectrum {
     const float a = v_[0] < v_[1] ? v_[0] : v_[1], b = v_[2] < v_[3] ? v_[2] : v_[3];
     return a < b ? a : b;
   }
-  bool is_zero() const { return v_[0] == 0 && v_[1] == 0 && v_[2] == 0 && v_[3] == 0; }
+  bool is_zero() const { return _mm_movemask_ps(_mm_cmpneq_ps(v_, _mm_setzero_ps())) == 0; }
   /// No infinity and no NaN.
-  bool is_finite() const {
-    const Vector zero = v_ - v_;
-    return zero[0] == 0 && zero[1] == 0 && zero[2] == 0 && zero[3] == 0;
-  }
+  bool is_finite() const { return _mm_movemask_ps(_mm_cmpneq_ps(v_ - v_, _mm_setzero_ps())) == 0; }
 
  private:
   Vector v_;

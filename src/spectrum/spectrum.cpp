@@ -79,10 +79,9 @@ Spectrum Spectrum::table(SpectrumTable table) {
 
 SampledSpectrum Spectrum::tabulated_at(const Wavelengths& wavelengths) const {
   const Tabulated& tabulated = std::get<Tabulated>(form_);
-  const SpectrumTable& table = *tabulated.table;
   SampledSpectrum values;
   for (std::size_t i = 0; i < SampledSpectrum::size; ++i) {
-    values.set(i, static_cast<float>(table.at(wavelengths.lambda(i))));
+    values.set(i, static_cast<float>(tabulated.table->at(wavelengths.lambda(i))));
   }
   return tabulated.scale * values;
 }
