@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/interval_events.h"
+#include "geometry/plane_crossing.h"
 #include "geometry/surface_point.h"
 #include "math/interval.h"
 
@@ -8,9 +9,34 @@ namespace lapidary::geometry {
 
 /// All points p with dot(p - point, normal) <= 0: the side the normal does not point to. The
 /// normal has any length but zero. One patch. A plane is the boundary of this.
+///
+/// Texture coordinates are planar, in scene units, from `point` along the tangents of
+/// Frame::from_normal.
 struct HalfSpace {
   Vec3d point;
   Vec3d normal{0, 0, 1};
 };
+
+/// Error analysis: geometry/plane_crossing.h.
+inline void intervals(const HalfSpace& half_space, const Line& line, EventBuffer& events) {
+  events.clear();
+  const PlaneCrossing c = cross_plane({half_space.point, half_space.normal}, line);
+  events.set_inside_at_start(c.slope > 0.0 || (c.slope == 0.0 && c.is_below));
+  if (c.slope == 0.0) return;
+  events.push({c.t, c.tau, 0, c.slope > 0.0 ? Crossing::leave : Crossing::enter});
+}
+
+inline Vec3d outward_normal(const HalfSpace& half_space, Patch, Vec3d) {
+  return normalize(half_space.normal);
+}
+
+inline bool contains(const HalfSpace& half_space, Vec3d p) {
+  return dot(p - half_space.point, half_space.normal) <= 0.0;
+}
+
+SurfaceUv surface_uv(const HalfSpace& half_space, Patch patch, Vec3d p);
+Box3d bounds(const HalfSpace& half_space);
+double area(const HalfSpace& half_space);
+BoundaryPoint sample_boundary(const HalfSpace& half_space, Vec2d u, double u_patch);
 
 }  // namespace lapidary::geometry

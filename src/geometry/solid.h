@@ -9,6 +9,7 @@
 #include "geometry/interval_events.h"
 #include "geometry/sphere.h"
 #include "math/interval.h"
+#include "math/transform.h"
 
 namespace lapidary::geometry {
 
@@ -23,15 +24,34 @@ namespace lapidary::geometry {
 ///   double area(const Kind&);                                 of the boundary, may be infinite
 ///   BoundaryPoint sample_boundary(const Kind&, Vec2d u, double u_patch);   uniform by area
 ///
-/// so a forgotten function is a compile error at the visit below.
+/// so a forgotten function is a compile error at the visit below. The visits are switches that
+/// inline; kinds are trivially copyable, so a Solid is never without value.
 using Solid = std::variant<Sphere, Box, HalfSpace, Cylinder>;
 
-void intervals(const Solid& solid, const Line& line, EventBuffer& events);
-Vec3d outward_normal(const Solid& solid, Patch patch, Vec3d p);
+/// Every exact event of the solid on the line has a reported one within its tau, and no other is
+/// reported, except that chords no longer than the tau of their ends may be missing or extra.
+/// Clears `events` first.
+inline void intervals(const Solid& solid, const Line& line, EventBuffer& events) {
+  std::visit([&](const auto& kind) { intervals(kind, line, events); }, solid);
+}
+
+inline Vec3d outward_normal(const Solid& solid, Patch patch, Vec3d p) {
+  return std::visit([&](const auto& kind) { return outward_normal(kind, patch, p); }, solid);
+}
+
+inline bool contains(const Solid& solid, Vec3d p) {
+  return std::visit([&](const auto& kind) { return contains(kind, p); }, solid);
+}
+
 SurfaceUv surface_uv(const Solid& solid, Patch patch, Vec3d p);
-bool contains(const Solid& solid, Vec3d p);
 Box3d bounds(const Solid& solid);
 double area(const Solid& solid);
 BoundaryPoint sample_boundary(const Solid& solid, Vec2d u, double u_patch);
+
+/// The image of the solid under a map, where it is a solid of the same kind with the same patches:
+/// spheres and cylinders under similarities, boxes under positive scaling along the axes and
+/// translation, half-spaces under any map. Otherwise nothing.
+/// Accuracy: a few roundings of the coordinates; similarities as Transform::similarity has it.
+std::optional<Solid> transformed(const Solid& solid, const Transform& world_from_object);
 
 }  // namespace lapidary::geometry

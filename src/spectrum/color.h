@@ -16,7 +16,7 @@ inline constexpr Chromaticity rec709_red{0.64, 0.33};
 inline constexpr Chromaticity rec709_green{0.30, 0.60};
 inline constexpr Chromaticity rec709_blue{0.15, 0.06};
 
-/// Chromaticity of D65 by the tables used here: x = 0.31272, y = 0.32903. The standard rounds it
+/// Chromaticity of D65 by the tables used here: x = 0.31273, y = 0.32903. The standard rounds it
 /// to four digits; the exact one makes D65 exactly {1, 1, 1}.
 Chromaticity d65_white();
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -33,7 +34,8 @@ class RefractiveIndex {
 
  private:
   using Form = std::variant<double, Sellmeier, SpectrumTable>;
-  explicit RefractiveIndex(Form form) : form_(std::move(form)) {}
+  template <typename T>
+  explicit RefractiveIndex(T form) : form_(std::move(form)) {}
   Form form_;
 };
 

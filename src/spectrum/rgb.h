@@ -11,11 +11,11 @@ struct Rgb {
   constexpr Rgb& operator+=(Rgb c) { return *this = {r + c.r, g + c.g, b + c.b}; }
   constexpr Rgb& operator*=(float s) { return *this = {r * s, g * s, b * s}; }
 
-  friend constexpr Rgb operator+(Rgb a, Rgb b) { return a += b; }
-  friend constexpr Rgb operator-(Rgb a, Rgb b) { return {a.r - b.r, a.g - b.g, a.b - b.b}; }
-  friend constexpr Rgb operator*(Rgb a, Rgb b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
-  friend constexpr Rgb operator*(Rgb a, float s) { return a *= s; }
-  friend constexpr Rgb operator*(float s, Rgb a) { return a *= s; }
+  friend constexpr Rgb operator+(Rgb p, Rgb q) { return p += q; }
+  friend constexpr Rgb operator-(Rgb p, Rgb q) { return {p.r - q.r, p.g - q.g, p.b - q.b}; }
+  friend constexpr Rgb operator*(Rgb p, Rgb q) { return {p.r * q.r, p.g * q.g, p.b * q.b}; }
+  friend constexpr Rgb operator*(Rgb p, float s) { return p *= s; }
+  friend constexpr Rgb operator*(float s, Rgb p) { return p *= s; }
 };
 
 }  // namespace lapidary

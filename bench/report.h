@@ -1,0 +1,34 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <string_view>
+
+#include <fmt/core.h>
+
+namespace lapidary::bench {
+
+/// One line for `tools/bench.py`: what was measured, in what unit, and what it should be: ">=0.85",
+/// "<=0.7", or "-" for a number that is only watched. Keys are "group.name".
+inline void report(std::string_view key, double value, std::string_view unit,
+                   std::string_view target = "-") {
+  fmt::print("{} {:.6g} {} {}\n", key, value, unit, target);
+}
+
+/// Wall seconds that `work` takes.
+template <typename Work>
+double seconds(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The least of `runs` measurements: what the work takes when nothing else disturbs it.
+template <typename Work>
+double best_seconds(int runs, Work&& work) {
+  double best = seconds(work);
+  for (int i = 1; i < runs; ++i) best = std::min(best, seconds(work));
+  return best;
+}
+
+}  // namespace lapidary::bench

@@ -1,0 +1,258 @@
+#include "app/command_line.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+namespace lapidary::app {
+namespace {
+
+using Strings = std::vector<std::string>;
+
+/// The whole of `text` as a number, or nothing.
+template <typename Number>
+std::optional<Number> parse_number(std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+template <typename Number>
+Number number_in(std::string_view flag, std::string_view text, Number least, Number most) {
+  const auto value = parse_number<Number>(text);
+  if (!value || !(*value >= least && *value <= most)) {
+    throw UsageError(
+        fmt::format("{} takes a number from {} to {}, not '{}'", flag, least, most, text));
+  }
+  return *value;
+}
+
+Assignment parse_assignment(std::string_view flag, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw UsageError(fmt::format("{} takes NAME=VALUE, not '{}'", flag, text));
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+Crop parse_crop(std::string_view text) {
+  std::array<int, 4> numbers{};
+  std::string_view rest = text;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::size_t comma = rest.find(',');
+    const auto number = parse_number<int>(rest.substr(0, comma));
+    const bool is_last = i + 1 == numbers.size();
+    if (!number || is_last != (comma == std::string_view::npos)) {
+      throw UsageError(fmt::format("--crop takes X,Y,WIDTH,HEIGHT, not '{}'", text));
+    }
+    numbers[i] = *number;
+    if (!is_last) rest.remove_prefix(comma + 1);
+  }
+  return {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+/// An option whose text goes to `take`; given twice, the last one counts.
+CLI::Option* add_text(CLI::App& verb, const std::string& flag, const std::string& type,
+                      const std::string& help, std::function<void(const std::string&)> take) {
+  return verb.add_option_function<std::string>(flag, std::move(take), help)
+      ->type_name(type)
+      ->take_last();
+}
+
+/// An option that may be given many times, each time with one text, which goes to `take`.
+void add_texts(CLI::App& verb, const std::string& flag, const std::string& type,
+               const std::string& help, std::function<void(const std::string&)> take) {
+  verb.add_option_function<Strings>(
+          flag, [take](const Strings& texts) { std::ranges::for_each(texts, take); }, help)
+      ->type_name(type)
+      ->allow_extra_args(false);
+}
+
+/// An option that takes one of a few words.
+template <typename Value>
+void add_choice(CLI::App& verb, const std::string& flag, Value& value,
+                const std::vector<std::pair<std::string, Value>>& choices,
+                const std::string& help) {
+  Strings words;
+  for (const auto& [word, meaning] : choices) words.push_back(word);
+  const auto take = [flag, words, choices, &value](const std::string& text) {
+    const auto found = std::ranges::find(words, text);
+    if (found == words.end()) {
+      throw UsageError(
+          fmt::format("{} takes one of {}, not '{}'", flag, fmt::join(words, ", "), text));
+    }
+    value = choices[static_cast<std::size_t>(found - words.begin())].second;
+  };
+  add_text(verb, flag, fmt::format("{}", fmt::join(words, "|")), help, take);
+}
+
+void add_scene(CLI::App& verb, SceneArguments& scene) {
+  verb.add_option("SCENE", scene.file, "a scene (.lua) or a mesh (.obj)")
+      ->required()
+      ->type_name("");
+  add_texts(verb, "--set", "NAME=VALUE", "what param(\"NAME\") is in the scene",
+            [&](const std::string& text) {
+              scene.parameters.push_back(parse_assignment("--set", text));
+            });
+  add_texts(verb, "--allow", "DIR", "a folder the scene may read beside its own",
+            [&](const std::string& text) { scene.allowed_folders.push_back(text); });
+  const std::vector<std::pair<std::string, std::string>> axes = {
+      {"x", "x"}, {"y", "y"}, {"z", "z"}};
+  add_choice(verb, "--up", scene.up, axes, "the axis of a bare mesh that points up (y for .obj)");
+}
+
+/// `--KEY VALUE` as another way to say `--render KEY=VALUE`; values are checked where those are.
+void add_setting(CLI::App& verb, const std::string& key, std::vector<Assignment>& settings,
+                 const std::string& type, const std::string& help) {
+  add_text(verb, "--" + key, type, help, [&settings, key](const std::string& text) {
+    settings.push_back({key, text});
+  });
+}
+
+void add_settings(CLI::App& verb, std::vector<Assignment>& settings) {
+  add_texts(
+      verb, "--render", "KEY=VALUE", "any key of the scene's render table",
+      [&](const std::string& text) { settings.push_back(parse_assignment("--render", text)); });
+  add_setting(verb, "size", settings, "WxH", "pixels of the picture");
+  add_setting(verb, "samples", settings, "N", "stop after N samples per pixel");
+  add_setting(verb, "time", settings, "SECONDS", "stop after so much wall time");
+  add_setting(verb, "noise", settings, "E", "stop at this relative error");
+  add_setting(verb, "integrator", settings, "path|direct", "everything, or direct light only");
+  add_setting(verb, "seed", settings, "N", "another seed gives another noise");
+}
+
+void declare(CLI::App& verb, RenderCommand& command) {
+  add_scene(verb, command.scene);
+  add_texts(verb, "-o", "FILE", "a picture to write: .png, .exr, .jpg, .hdr; may be repeated",
+            [&](const std::string& text) { command.outputs.push_back(text); });
+  add_settings(verb, command.settings);
+  add_text(verb, "--threads", "N", "threads to render with (all)", [&](const std::string& text) {
+    command.threads = number_in("--threads", text, 1, 1024);
+  });
+  add_text(verb, "--stats", "FILE", "write what was done and what it took, as JSON",
+           [&](const std::string& text) { command.stats_file = text; });
+  const std::vector<std::pair<std::string, ProgressStyle>> styles = {
+      {"bar", ProgressStyle::bar}, {"lines", ProgressStyle::lines}, {"json", ProgressStyle::json}};
+  add_choice(verb, "--progress", command.progress, styles, "how (bar on a terminal, else lines)");
+  verb.add_flag_callback(
+      "--quiet", [&] { command.progress = ProgressStyle::none; }, "warnings and errors only");
+}
+
+void declare(CLI::App& verb, CheckCommand& command) {
+  add_scene(verb, command.scene);
+}
+
+void declare(CLI::App& verb, CompareCommand& command) {
+  verb.add_option("IMAGE", command.image, "the picture to judge")->required()->type_name("");
+  verb.add_option("REFERENCE", command.reference, "what it should be")->required()->type_name("");
+  const std::vector<std::pair<std::string, Metric>> metrics = {{"relmse", Metric::relmse},
+                                                               {"mse", Metric::mse},
+                                                               {"mae", Metric::mae},
+                                                               {"flip", Metric::flip}};
+  add_choice(verb, "--metric", command.metric, metrics, "which difference (relmse)");
+  add_text(verb, "--trim", "SHARE", "leave out this share of the worst pixels",
+           [&](const std::string& text) { command.trim = number_in("--trim", text, 0.0, 0.999); });
+  add_text(verb, "--crop", "X,Y,W,H", "compare this rectangle only",
+           [&](const std::string& text) { command.crop = parse_crop(text); });
+}
+
+void declare(CLI::App& verb, HelpCommand& command) {
+  verb.add_option("NODE", command.topic, "a node of the scene language, or a verb")->type_name("");
+}
+
+/// CLI11's complaints in our words.
+UsageError usage_error(const CLI::ParseError& error, const CLI::App& verb) {
+  const std::string hint = fmt::format("{} --help lists what there is", verb.get_name());
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    const Strings extras = verb.remaining();
+    return UsageError(fmt::format("unexpected argument '{}'", extras.empty() ? "" : extras[0]),
+                      hint);
+  }
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    std::string what = error.what();
+    what.resize(what.find(' '));
+    return UsageError(fmt::format("{} is missing", what), hint);
+  }
+  return UsageError(error.what(), hint);
+}
+
+struct Verb {
+  std::string name;
+  std::string summary;
+  Command (*parse)(const Verb& verb, Strings arguments);
+};
+
+template <typename Kind>
+Command parse_as(const Verb& verb, Strings arguments) {
+  CLI::App app{verb.summary, "lapidary " + verb.name};
+  Kind command;
+  declare(app, command);
+  std::ranges::reverse(arguments);  // CLI11 reads a vector from its end
+  try {
+    app.parse(std::move(arguments));
+  } catch (const CLI::CallForHelp&) {
+    return ShowText{app.help()};
+  } catch (const CLI::ParseError& error) {
+    throw usage_error(error, app);
+  }
+  return command;
+}
+
+const std::array<Verb, 4>& verbs() {
+  static const std::array<Verb, 4> all = {{
+      {"render", "make a picture of a scene or a mesh", parse_as<RenderCommand>},
+      {"check", "say what a scene holds and what is wrong with it", parse_as<CheckCommand>},
+      {"compare", "print how far a picture is from a reference", parse_as<CompareCommand>},
+      {"help", "explain the nodes of the scene language", parse_as<HelpCommand>},
+  }};
+  return all;
+}
+
+const Verb* find_verb(std::string_view name) {
+  const auto found = std::ranges::find(verbs(), name, &Verb::name);
+  return found == verbs().end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+Command parse_command_line(std::vector<std::string> arguments) {
+  if (arguments.empty()) throw UsageError("a verb is missing", "try: lapidary help");
+  const std::string name = arguments.front();
+  arguments.erase(arguments.begin());
+  if (name == "--version") return ShowText{"lapidary " LAPIDARY_VERSION "\n"};
+  if (name == "--help" || name == "-h") return HelpCommand{};
+  const Verb* verb = find_verb(name);
+  if (verb == nullptr) {
+    const bool is_file = name.find('.') != std::string::npos;
+    throw UsageError(fmt::format("unknown verb '{}'", name),
+                     is_file ? fmt::format("did you mean: lapidary render {}", name)
+                             : "the verbs are render, check, compare and help");
+  }
+  return verb->parse(*verb, std::move(arguments));
+}
+
+std::optional<std::string> help_of_verb(const std::string& name) {
+  const Verb* verb = find_verb(name);
+  if (verb == nullptr) return std::nullopt;
+  return std::get<ShowText>(verb->parse(*verb, {"--help"})).text;
+}
+
+std::string usage() {
+  std::string text =
+      "Lapidary renders solids and light: scenes in Lua, or bare meshes.\n\n"
+      "usage: lapidary VERB ...\n\n";
+  for (const Verb& verb : verbs()) text += fmt::format("  {:<10}{}\n", verb.name, verb.summary);
+  text +=
+      "\n`lapidary help VERB` lists the options of a verb.\n"
+      "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 the scene or a file is wrong,\n"
+      "4 interrupted, with the picture so far written.\n";
+  return text;
+}
+
+}  // namespace lapidary::app

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace lapidary::app {
+
+/// NAME=VALUE as written on the command line; the value is not interpreted here.
+struct Assignment {
+  std::string name;
+  std::string value;
+
+  bool operator==(const Assignment&) const = default;
+};
+
+/// Where a scene comes from, and what the command line says about it.
+struct SceneArguments {
+  std::string file;
+  std::vector<Assignment> parameters;        ///< --set: for param() in the scene
+  std::vector<std::string> allowed_folders;  ///< --allow
+  std::string up;                            ///< --up: "x", "y", "z", or empty: the format's own
+};
+
+enum class ProgressStyle { automatic, bar, lines, json, none };
+
+/// lapidary render
+struct RenderCommand {
+  SceneArguments scene;
+  std::vector<Assignment> settings;  ///< --render and its short forms, in the order written
+  std::vector<std::string> outputs;  ///< empty: the scene's name with .png
+  int threads = 0;                   ///< 0: all
+  std::string stats_file;            ///< empty: none
+  ProgressStyle progress = ProgressStyle::automatic;
+};
+
+/// lapidary check
+struct CheckCommand {
+  SceneArguments scene;
+};
+
+enum class Metric { relmse, mse, mae, flip };
+
+/// A rectangle of pixels; (x, y) is the upper left one.
+struct Crop {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+};
+
+/// lapidary compare
+struct CompareCommand {
+  std::string image;
+  std::string reference;
+  Metric metric = Metric::relmse;
+  double trim = 0;  ///< the share of the worst pixels that is left out, in [0, 1)
+  std::optional<Crop> crop;
+};
+
+/// lapidary help
+struct HelpCommand {
+  std::string topic;  ///< a node or a verb; empty: all of them in short
+};
+
+/// The answer is a text: VERB --help, --version.
+struct ShowText {
+  std::string text;
+};
+
+using Command = std::variant<RenderCommand, CheckCommand, CompareCommand, HelpCommand, ShowText>;
+
+/// The command line makes no sense.
+class UsageError : public std::runtime_error {
+ public:
+  explicit UsageError(const std::string& problem, std::string hint = "")
+      : std::runtime_error(problem), hint_(std::move(hint)) {}
+
+  const std::string& hint() const { return hint_; }
+
+ private:
+  std::string hint_;
+};
+
+/// Reads the arguments that follow the program's name. Throws UsageError.
+Command parse_command_line(std::vector<std::string> arguments);
+
+/// What `lapidary VERB --help` shows; nothing where there is no such verb.
+std::optional<std::string> help_of_verb(const std::string& verb);
+
+/// The program in a few lines: its verbs and exit codes.
+std::string usage();
+
+}  // namespace lapidary::app

@@ -1,0 +1,18 @@
+#pragma once
+
+namespace lapidary::app {
+
+/// While alive, the first SIGINT or SIGTERM asks for an orderly end and the second ends the process
+/// at once with ExitCode::interrupted. At most one at a time: signals belong to the process.
+class InterruptGuard {
+ public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+  /// Whether an orderly end was asked for.
+  bool requested() const;
+};
+
+}  // namespace lapidary::app

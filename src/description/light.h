@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <variant>
+
+#include "description/emission.h"
+#include "math/vec.h"
+#include "schema/call_site.h"
+
+namespace lapidary::description {
+
+// Lights with a surface (sphere_light, rectangle_light, disk_light, mesh_light) are not here: each
+// is an Object that wears an Emissive material, and so visible like any other.
+
+/// Light from one place in all directions alike.
+struct PointLight {
+  Vec3d position;
+  Emission emission{Quantity::power};  ///< power or intensity
+};
+
+/// Light from one place within a cone.
+struct SpotLight {
+  Vec3d from{0, 0, 1};
+  Vec3d at;
+  double angle = 60;  ///< degrees, the whole cone, in (0, 180]
+  double penumbra =
+      0.2;  ///< share of the cone's half angle over which light fades to its rim, 0..1
+  Emission emission{Quantity::power};  ///< power (within the cone) or intensity (on the axis)
+};
+
+/// Light that comes from one direction everywhere, as from the sun.
+struct DistantLight {
+  Vec3d direction{0, 0, -1};  ///< the way the light travels, of any length but zero
+  double angle = 0;           ///< degrees, diameter of the source in the sky, in [0, 180)
+  Emission emission{Quantity::irradiance};
+};
+
+/// The same radiance from all around.
+struct ConstantEnvironment {
+  Spectrum radiance = Spectrum::illuminant({1, 1, 1});  ///< [W/(m2 sr nm)]
+};
+
+/// A picture of everything far away, equirectangular: its top is +z and its centre column looks
+/// along +y, before it is turned.
+struct ImageEnvironment {
+  std::filesystem::path file;
+  double scale = 1;   ///< multiplies the image's radiance
+  double rotate = 0;  ///< degrees about z, counter-clockwise from above
+};
+
+struct Light {
+  std::variant<PointLight, SpotLight, DistantLight, ConstantEnvironment, ImageEnvironment> model;
+  schema::CallSite where;
+};
+
+}  // namespace lapidary::description

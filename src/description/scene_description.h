@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "description/camera.h"
+#include "description/light.h"
+#include "description/object.h"
+#include "description/settings.h"
+#include "schema/call_site.h"
+
+namespace lapidary::description {
+
+/// A scene as its author said it. What is missing (no camera, no lights) whoever renders it adds.
+struct SceneDescription {
+  std::optional<Camera> camera;
+  std::vector<ObjectPtr> objects;  ///< lights with a surface included
+  std::vector<Light> lights;
+  RenderSettings render;
+  FilmSettings film;
+  double metres_per_unit = 1;
+  schema::CallSite where;
+};
+
+/// Whether anything gives light: an entry of `lights`, or an object that wears Emissive.
+bool has_light(const SceneDescription& scene);
+
+}  // namespace lapidary::description

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace lapidary::description {
+
+enum class ToneCurve { filmic, none };
+
+/// How measured light becomes a picture.
+struct FilmSettings {
+  double exposure = 1;                 ///< factor on linear values
+  ToneCurve tone = ToneCurve::filmic;  ///< of 8-bit pictures; linear files ignore it
+};
+
+struct PictureSize {
+  int width = 1280;
+  int height = 720;
+  bool operator==(const PictureSize&) const = default;
+};
+
+enum class Integrator { path, direct };
+
+/// Who renders light focused by glass and mirrors.
+enum class Caustics { paths };
+
+enum class FilterKind { box, tent, gaussian, blackman_harris };
+
+/// What a sample contributes to the pixels around it.
+struct FilterSettings {
+  FilterKind kind = FilterKind::blackman_harris;
+  std::optional<double> radius;  ///< pixels; none: the kind's own
+};
+
+/// What to render and when to stop: at the first of the limits that are given, or after a default
+/// number of samples when none is.
+struct RenderSettings {
+  PictureSize size;
+  std::optional<int> samples;   ///< per pixel
+  std::optional<double> time;   ///< seconds of wall time
+  std::optional<double> noise;  ///< relative error to reach
+  Integrator integrator = Integrator::path;
+  int max_depth = 16;  ///< scattering events of a path
+  Caustics caustics = Caustics::paths;
+  FilterSettings filter;
+  std::uint64_t seed = 0;
+};
+
+/// Sets one key as "--render KEY=VALUE" on the command line does, with the checks and messages of
+/// the scene language; throws Error.
+void apply_render_override(RenderSettings& settings, std::string_view key, std::string_view value);
+
+}  // namespace lapidary::description

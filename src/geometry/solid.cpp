@@ -1,0 +1,53 @@
+#include "geometry/solid.h"
+
+namespace lapidary::geometry {
+namespace {
+
+std::optional<Solid> image(const Sphere& sphere, const Transform& map) {
+  const auto scale = map.similarity();
+  if (!scale) return std::nullopt;
+  return Sphere{map.point(sphere.center), sphere.radius * *scale};
+}
+
+std::optional<Solid> image(const Box& box, const Transform& map) {
+  const Mat3& m = map.linear();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool is_diagonal = m.row[i][(i + 1) % 3] == 0.0 && m.row[i][(i + 2) % 3] == 0.0;
+    if (!is_diagonal || !(m.row[i][i] > 0.0)) return std::nullopt;
+  }
+  return Box{map.point(box.min), map.point(box.max)};
+}
+
+std::optional<Solid> image(const HalfSpace& half_space, const Transform& map) {
+  return HalfSpace{map.point(half_space.point), map.normal(half_space.normal)};
+}
+
+std::optional<Solid> image(const Cylinder& cylinder, const Transform& map) {
+  const auto scale = map.similarity();
+  if (!scale) return std::nullopt;
+  return Cylinder{map.point(cylinder.from), map.point(cylinder.to), cylinder.radius * *scale};
+}
+
+}  // namespace
+
+SurfaceUv surface_uv(const Solid& solid, Patch patch, Vec3d p) {
+  return std::visit([&](const auto& kind) { return surface_uv(kind, patch, p); }, solid);
+}
+
+Box3d bounds(const Solid& solid) {
+  return std::visit([](const auto& kind) { return bounds(kind); }, solid);
+}
+
+double area(const Solid& solid) {
+  return std::visit([](const auto& kind) { return area(kind); }, solid);
+}
+
+BoundaryPoint sample_boundary(const Solid& solid, Vec2d u, double u_patch) {
+  return std::visit([&](const auto& kind) { return sample_boundary(kind, u, u_patch); }, solid);
+}
+
+std::optional<Solid> transformed(const Solid& solid, const Transform& world_from_object) {
+  return std::visit([&](const auto& kind) { return image(kind, world_from_object); }, solid);
+}
+
+}  // namespace lapidary::geometry

@@ -1,0 +1,37 @@
+#include "geometry/sphere.h"
+
+#include "geometry/rounded_bounds.h"
+
+namespace lapidary::geometry {
+
+SurfaceUv surface_uv(const Sphere& sphere, Patch, Vec3d p) {
+  const Vec3d n = outward_normal(sphere, 0, p);
+  const double cos_latitude = std::hypot(n.x, n.y);
+  const double turn = std::atan2(n.y, n.x) * (0.5 * inv_pi);
+  const double latitude = std::atan2(n.z, cos_latitude);
+  const double u = turn < 0.0 ? turn + 1.0 : turn;
+  const Vec2d east =
+      cos_latitude > 0.0 ? Vec2d{n.x / cos_latitude, n.y / cos_latitude} : Vec2d{1.0, 0.0};
+  return {{u < 1.0 ? u : 0.0, latitude * inv_pi + 0.5},
+          Vec3d{-n.y, n.x, 0.0} * (2.0 * pi * sphere.radius),
+          Vec3d{-n.z * east.x, -n.z * east.y, cos_latitude} * (pi * sphere.radius)};
+}
+
+Box3d bounds(const Sphere& sphere) {
+  const Vec3d r{sphere.radius, sphere.radius, sphere.radius};
+  return rounded_outward({sphere.center - r, sphere.center + r});
+}
+
+double area(const Sphere& sphere) {
+  return 4.0 * pi * sphere.radius * sphere.radius;
+}
+
+BoundaryPoint sample_boundary(const Sphere& sphere, Vec2d u, double) {
+  const double z = 1.0 - 2.0 * u.x;
+  const double rho = 2.0 * std::sqrt(u.x * (1.0 - u.x));
+  const double phi = 2.0 * pi * u.y;
+  const Vec3d n{rho * std::cos(phi), rho * std::sin(phi), z};
+  return {sphere.center + n * sphere.radius, n, 0, 1.0 / area(sphere)};
+}
+
+}  // namespace lapidary::geometry

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace lapidary::schema {
+
+/// The candidate a user most likely meant by `word`: the nearest by insertions, deletions,
+/// replacements and swaps of neighbours, ignoring case; the first of equals. Empty when none is
+/// near enough to be a misspelling.
+std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
+
+/// "did you mean 'radius'?", or empty.
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates);
+
+/// "a, b or c".
+std::string join_or(std::span<const std::string_view> words);
+
+}  // namespace lapidary::schema

@@ -1,0 +1,104 @@
+#include "app/command_line.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace lapidary::app {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+template <typename Kind>
+Kind parse(std::vector<std::string> arguments) {
+  return std::get<Kind>(parse_command_line(std::move(arguments)));
+}
+
+std::string problem_of(std::vector<std::string> arguments) {
+  try {
+    parse_command_line(std::move(arguments));
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(CommandLine, ReadsARenderCommand) {
+  const auto c = parse<RenderCommand>({"render", "a.lua", "-o", "b.png", "-o", "c.exr", "--threads",
+                                       "2", "--stats", "s.json", "--progress", "json"});
+  EXPECT_EQ(c.scene.file, "a.lua");
+  EXPECT_THAT(c.outputs, ElementsAre("b.png", "c.exr"));
+  EXPECT_EQ(c.threads, 2);
+  EXPECT_EQ(c.stats_file, "s.json");
+  EXPECT_EQ(c.progress, ProgressStyle::json);
+}
+
+TEST(CommandLine, OptionsMayComeBeforeTheScene) {
+  const auto c = parse<RenderCommand>({"render", "-o", "b.png", "--set", "n=3", "a.lua"});
+  EXPECT_EQ(c.scene.file, "a.lua");
+  EXPECT_THAT(c.outputs, ElementsAre("b.png"));
+}
+
+TEST(CommandLine, ShortFormsAreSettings) {
+  const auto c = parse<RenderCommand>({"render", "a.lua", "--samples", "16", "--size", "4x3",
+                                       "--render", "max_depth=8", "--time", "2.5", "--noise", "0.1",
+                                       "--seed", "7", "--integrator", "direct"});
+  EXPECT_THAT(c.settings,
+              testing::UnorderedElementsAre(Assignment{"samples", "16"}, Assignment{"size", "4x3"},
+                                            Assignment{"max_depth", "8"}, Assignment{"time", "2.5"},
+                                            Assignment{"noise", "0.1"}, Assignment{"seed", "7"},
+                                            Assignment{"integrator", "direct"}));
+}
+
+TEST(CommandLine, AssignmentsSplitAtTheFirstEqualsSign) {
+  const auto c = parse<RenderCommand>({"render", "a.lua", "--set", "a=b=c", "--set", "empty="});
+  EXPECT_THAT(c.scene.parameters, ElementsAre(Assignment{"a", "b=c"}, Assignment{"empty", ""}));
+}
+
+TEST(CommandLine, ReadsACompareCommand) {
+  const auto c = parse<CompareCommand>(
+      {"compare", "a.exr", "b.exr", "--metric", "flip", "--trim", "0.001", "--crop", "1,2,30,40"});
+  EXPECT_EQ(c.metric, Metric::flip);
+  EXPECT_DOUBLE_EQ(c.trim, 0.001);
+  ASSERT_TRUE(c.crop);
+  EXPECT_EQ(c.crop->x, 1);
+  EXPECT_EQ(c.crop->y, 2);
+  EXPECT_EQ(c.crop->width, 30);
+  EXPECT_EQ(c.crop->height, 40);
+}
+
+TEST(CommandLine, SaysWhatIsWrong) {
+  EXPECT_EQ(problem_of({}), "a verb is missing");
+  EXPECT_EQ(problem_of({"paint"}), "unknown verb 'paint'");
+  EXPECT_EQ(problem_of({"render"}), "SCENE is missing");
+  EXPECT_EQ(problem_of({"render", "a.lua", "b.lua"}), "unexpected argument 'b.lua'");
+  EXPECT_EQ(problem_of({"render", "a.lua", "--sampels", "3"}), "unexpected argument '--sampels'");
+  EXPECT_THAT(problem_of({"render", "a.lua", "-o"}), HasSubstr("-o"));
+  EXPECT_EQ(problem_of({"render", "a.lua", "--set", "n"}), "--set takes NAME=VALUE, not 'n'");
+  EXPECT_EQ(problem_of({"render", "a.lua", "--render", "=3"}),
+            "--render takes NAME=VALUE, not '=3'");
+  EXPECT_THAT(problem_of({"render", "a.lua", "--progress", "pie"}), HasSubstr("bar, lines, json"));
+  for (const char* threads : {"0", "-1", "two", "1.5", "", "99999999999"}) {
+    EXPECT_THAT(problem_of({"render", "a.lua", "--threads", threads}),
+                HasSubstr("--threads takes"));
+  }
+  for (const char* trim : {"1", "-0.1", "nan", "x"}) {
+    EXPECT_THAT(problem_of({"compare", "a", "b", "--trim", trim}), HasSubstr("--trim takes"));
+  }
+  for (const char* crop : {"1,2,3", "1,2,3,4,5", "1,2,3,x", ""}) {
+    EXPECT_THAT(problem_of({"compare", "a", "b", "--crop", crop}), HasSubstr("--crop takes"));
+  }
+}
+
+TEST(CommandLine, EveryVerbExplainsItself) {
+  for (const char* verb : {"render", "check", "compare", "help"}) {
+    const auto text = help_of_verb(verb);
+    ASSERT_TRUE(text) << verb;
+    EXPECT_THAT(*text, HasSubstr(std::string("lapidary ") + verb));
+    EXPECT_THAT(usage(), HasSubstr(verb));
+  }
+  EXPECT_FALSE(help_of_verb("sphere"));
+}
+
+}  // namespace
+}  // namespace lapidary::app
