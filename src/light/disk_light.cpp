@@ -1,0 +1,41 @@
+#include "light/disk_light.h"
+
+#include <utility>
+
+#include "light/area_sample.h"
+#include "math/frame.h"
+#include "sampling/warp.h"
+
+namespace lapidary::light {
+
+DiskLight::DiskLight(const geometry::Disk& disk, Spectrum radiance)
+    : center_(disk.center),
+      normal_(normalize(disk.normal)),
+      pdf_area_(inv_pi / (disk.radius * disk.radius)),
+      radiance_(std::move(radiance)) {
+  const Frame frame = Frame::from_normal(normal_);
+  radius_x_ = frame.tangent * disk.radius;
+  radius_y_ = frame.bitangent * disk.radius;
+}
+
+std::optional<LightSample> DiskLight::sample_illumination(Vec3d p, const LightNumbers& numbers,
+                                                          const Wavelengths& wavelengths) const {
+  const Vec2d place = sample_uniform_disk(numbers.u);
+  const Vec3d point = center_ + place.x * radius_x_ + place.y * radius_y_;
+  return illumination_from({point, normal_, pdf_area_}, p, radiance_, wavelengths);
+}
+
+double DiskLight::pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const {
+  return pdf_illumination_from(pdf_area_, p, wi, {hit.point, normal_});
+}
+
+SampledSpectrum DiskLight::emitted(Vec3d wi, const LightHit&,
+                                   const Wavelengths& wavelengths) const {
+  return dot(normal_, wi) < 0.0 ? radiance_.at(wavelengths) : SampledSpectrum();
+}
+
+double DiskLight::power(double) const {
+  return pi / pdf_area_ * radiance_.integral();
+}
+
+}  // namespace lapidary::light

@@ -1,0 +1,29 @@
+#include "light/solid_light.h"
+
+#include <utility>
+
+namespace lapidary::light {
+
+SolidLight::SolidLight(const geometry::PlacedSolid& solid, Spectrum radiance)
+    : solid_(solid), radiance_(std::move(radiance)) {}
+
+std::optional<LightSample> SolidLight::sample_illumination(Vec3d p, const LightNumbers& numbers,
+                                                           const Wavelengths& wavelengths) const {
+  const auto [point, normal, patch, pdf_area] = sample_boundary(solid_, numbers.u, numbers.part);
+  return illumination_from({point, normal, pdf_area}, p, radiance_, wavelengths);
+}
+
+double SolidLight::pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const {
+  return pdf_illumination_from(boundary_pdf_area(solid_, hit.patch, hit.point), p, wi, hit);
+}
+
+SampledSpectrum SolidLight::emitted(Vec3d wi, const LightHit& hit,
+                                    const Wavelengths& wavelengths) const {
+  return dot(hit.normal, wi) < 0.0 ? radiance_.at(wavelengths) : SampledSpectrum();
+}
+
+double SolidLight::power(double) const {
+  return pi * area(solid_) * radiance_.integral();
+}
+
+}  // namespace lapidary::light

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "geometry/placed_solid.h"
+#include "light/area_sample.h"
+
+namespace lapidary::light {
+
+/// A solid whose boundary shines outward. Sampled uniformly over the area of its patches.
+class SolidLight {
+ public:
+  /// The solid's area must be finite.
+  SolidLight(const geometry::PlacedSolid& solid, Spectrum radiance);
+
+  std::optional<LightSample> sample_illumination(Vec3d p, const LightNumbers& numbers,
+                                                 const Wavelengths& wavelengths) const;
+  double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
+  SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
+  double power(double scene_radius) const;
+
+ private:
+  geometry::PlacedSolid solid_;
+  Spectrum radiance_;
+};
+
+}  // namespace lapidary::light
