@@ -44,7 +44,7 @@ double albedo(double alpha, double mu) {
     const Vec3d h = ggx.sample_visible(wo, u);
     const Vec3d wi = 2.0 * dot(wo, h) * h - wo;
     if (wi.z <= 0.0) continue;
-    sum += 2.0 * wi.z * (mu + ggx.slant(wo)) * ggx.reflection_visibility(wo, wi);
+    sum += 2.0 * (mu + ggx.slant(wo)) * ggx.reflection_share(wo, wi);
   }
   return sum / points;
 }

@@ -19,13 +19,14 @@ BsdfValue Conductor::evaluate_with_pdf(Vec3d wo, Vec3d wi) const {
   const double density = facets_.density(h);
   const double lost_o = 1.0 - albedo_.at(wo.z), lost_i = 1.0 - albedo_.at(wi.z);
 
-  const double narrow = density * facets_.reflection_visibility(wo, wi);
-  const SampledSpectrum f = fresnel_.at(dot(wo, h)) * static_cast<float>(narrow) +
-                            wide_ * static_cast<float>(lost_o * lost_i);
+  const double narrow = density * facets_.reflection_share(wo, wi);
+  const double wide = lost_o * lost_i * wi.z;
+  const SampledSpectrum f_cos =
+      fresnel_.at(dot(wo, h)) * static_cast<float>(narrow) + wide_ * static_cast<float>(wide);
   // visible_density / (4 wo.h): the density of h turned into that of wi.
   const double pdf_narrow = 0.5 * density / (wo.z + facets_.slant(wo));
   const double pdf = std::lerp(pdf_narrow, pdf_cosine_hemisphere(wi.z), lost_o);
-  return {f * static_cast<float>(wi.z), pdf};
+  return {f_cos, pdf};
 }
 
 std::optional<BsdfSample> Conductor::sample(Vec3d wo, double u_lobe, Vec2d u) const {

@@ -36,15 +36,20 @@ struct Ggx {
   Vec3d sample_visible(Vec3d wo, Vec2d u) const {
     const Vec3d stretched = normalize(Vec3d(alpha * wo.x, alpha * wo.y, wo.z));
     // A uniform point of the cap of directions that mirror `stretched` off a hemisphere of normals;
-    // the half vector is that normal.
-    const Vec3d h = sample_uniform_cone(u, 1.0 + std::min(stretched.z, 1.0)) + stretched;
-    return normalize(Vec3d(alpha * h.x, alpha * h.y, std::max(h.z, 0.0)));
+    // half way is that normal. Its z is never 0, where the half vector could vanish.
+    const DiskPoint disk = concentric_disk(u);
+    const double span = 1.0 + std::min(stretched.z, 1.0);
+    const double z = span * std::max(1.0 - disk.radius_squared, 0x1p-64);
+    const double stretch = std::sqrt(span * (2.0 - span + z));
+    return normalize(Vec3d(alpha * (stretched.x + stretch * disk.position.x),
+                           alpha * (stretched.y + stretch * disk.position.y), z));
   }
 
-  /// Masking and shadowing of a reflection, correlated by height, over 4 cos_o cos_i. Heitz 2014,
-  /// "Understanding the Masking-Shadowing Function", equation 99.
-  double reflection_visibility(Vec3d wo, Vec3d wi) const {
-    return 0.5 / (wo.z * slant(wi) + wi.z * slant(wo));
+  /// G2 / (4 cos_o): times density(h) it is f cos_i of a reflection by white facets. G2 is masking
+  /// and shadowing correlated by height: Heitz 2014, "Understanding the Masking-Shadowing Function
+  /// in Microfacet-Based BRDFs", equation 99.
+  double reflection_share(Vec3d wo, Vec3d wi) const {
+    return 0.5 * wi.z / (wo.z * slant(wi) + wi.z * slant(wo));
   }
 
   /// D(h) G1(wo) (wo.h) / wo.z per solid angle of h [1/sr]; wo.h > 0. Heitz 2018, equation 3.

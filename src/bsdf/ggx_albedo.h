@@ -7,7 +7,8 @@ namespace lapidary::bsdf {
 
 /// Directional albedo of one reflection by GGX facets that absorb nothing, at one roughness: the
 /// share of light from direction mu that leaves after a single bounce. The rest bounces again.
-/// Accuracy: 0.001, by linear interpolation in a table made by tools/ggx_albedo.cpp.
+/// Accuracy: 0.001 for mu >= 0.05, 0.006 below, by linear interpolation in a table made by
+/// tools/ggx_albedo.cpp.
 class GgxAlbedo {
  public:
   /// `alpha` in (0, 1].

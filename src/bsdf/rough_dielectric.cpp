@@ -26,7 +26,7 @@ BsdfValue reflected(const RoughDielectric& bsdf, Vec3d wo, Vec3d wi, double side
   const Vec3d h = normalize(wo + wi);
   const RelativeIndex::Split split = bsdf.index.split(std::min(dot(wo, h), 1.0), side);
   const double density = bsdf.facets.density(h);
-  const double f_cos = density * bsdf.facets.reflection_visibility(wo, wi) * wi.z;
+  const double f_cos = density * bsdf.facets.reflection_share(wo, wi);
   const double pdf = 0.5 * density / (wo.z + bsdf.facets.slant(wo));
   return {split.reflectance * static_cast<float>(f_cos), split.chance_to_reflect * pdf};
 }
@@ -69,8 +69,7 @@ std::optional<BsdfSample> sample(const RoughDielectric& bsdf, Vec3d wo, double u
   if (u_lobe < q) {
     const Vec3d wi = 2.0 * cos_o * h - o;
     if (!(wi.z > 0.0)) return {};
-    const double share =
-        2.0 * wi.z * (o.z + bsdf.facets.slant(o)) * bsdf.facets.reflection_visibility(o, wi);
+    const double share = 2.0 * (o.z + bsdf.facets.slant(o)) * bsdf.facets.reflection_share(o, wi);
     return BsdfSample{mirrored(wi, wo.z < 0.0), split.reflectance * static_cast<float>(share / q),
                       q * visible / (4.0 * cos_o), Lobe::glossy};
   }
