@@ -48,7 +48,11 @@ struct Object {
 /// `object` moved: `motion` comes after the placement it has. Null when the composed map is
 /// singular to working precision or not finite.
 ObjectPtr moved(const Object& object, const Transform& motion);
+/// `object` wearing `material`, which replaces a mesh's own materials; members of a group that wear
+/// something keep it.
 ObjectPtr with_material(const Object& object, MaterialPtr material);
+/// `object` with all its parts wearing `material`.
+ObjectPtr with_material_everywhere(const Object& object, MaterialPtr material);
 ObjectPtr with_name(const Object& object, std::string name);
 
 /// A group of `children`; throws Error at `where` when it is nested too deeply.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "description/camera.h"
@@ -21,6 +22,9 @@ struct SceneDescription {
   double metres_per_unit = 1;
   schema::CallSite where;
 };
+
+/// Whether any part of `objects` wears Emissive.
+bool gives_light(std::span<const ObjectPtr> objects);
 
 /// Whether anything gives light: an entry of `lights`, or an object that wears Emissive.
 bool has_light(const SceneDescription& scene);

@@ -26,10 +26,16 @@ struct TriangleMesh {
   Vec3d position(std::uint32_t vertex) const { return origin + Vec3d(positions[vertex]); }
 };
 
+/// Of all vertices, used or not.
 Box3d bounds(const TriangleMesh& mesh);
 
 /// Smooth normals, weighted by the angle at each corner (Thuermer & Wuethrich 1998), replacing
 /// those there; vertices of degenerate triangles alone get none.
 void compute_smooth_normals(TriangleMesh& mesh);
+
+/// Smooth normals as `compute_smooth_normals` makes them, but not across edges sharper than
+/// `degrees` (geometry/vertex_normals.h: normals_by_crease): vertices there are split, copies are
+/// added behind the existing ones.
+void split_by_crease(TriangleMesh& mesh, double degrees);
 
 }  // namespace lapidary::geometry

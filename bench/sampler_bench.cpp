@@ -1,0 +1,90 @@
+// What random numbers and warps cost.
+
+#include <cstdint>
+
+#include <benchmark/benchmark.h>
+
+#include "sampling/distribution.h"
+#include "sampling/sobol.h"
+#include "sampling/warp.h"
+
+namespace lapidary {
+namespace {
+
+// Blocks that do not wait for each other: what a block costs a renderer that has other work.
+void block_throughput(benchmark::State& state) {
+  const PixelSampler sampler(1, 320, 240, 77);
+  std::uint32_t k = 0;
+  for (auto _ : state) {
+    Block8 block = sampler.block(k++ & 15U);
+    benchmark::DoNotOptimize(block);
+  }
+}
+BENCHMARK(block_throughput);
+
+// Each block waits for the one before: the whole latency.
+void block_latency(benchmark::State& state) {
+  const PixelSampler sampler(1, 320, 240, 77);
+  std::uint32_t k = 0;
+  for (auto _ : state) {
+    const Block8 block = sampler.block(k);
+    k = block[7] < 0.5 ? 3U : 5U;
+    benchmark::DoNotOptimize(k);
+  }
+}
+BENCHMARK(block_latency);
+
+void make_sampler_and_block(benchmark::State& state) {
+  std::uint32_t sample = 0;
+  for (auto _ : state) {
+    Block8 block = PixelSampler(1, 320, 240, sample++).block(0);
+    benchmark::DoNotOptimize(block);
+  }
+}
+BENCHMARK(make_sampler_and_block);
+
+void pass_number(benchmark::State& state) {
+  std::uint32_t pass = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(pass_sample(1, pass++, 0));
+}
+BENCHMARK(pass_number);
+
+template <typename Warp>
+void run_warp(benchmark::State& state, Warp warp) {
+  Vec2d u{0.1, 0.7};
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(u);
+    auto point = warp(u);
+    benchmark::DoNotOptimize(point);
+  }
+}
+
+void warp_disk(benchmark::State& state) {
+  run_warp(state, sample_uniform_disk);
+}
+BENCHMARK(warp_disk);
+void warp_cosine_hemisphere(benchmark::State& state) {
+  run_warp(state, sample_cosine_hemisphere);
+}
+BENCHMARK(warp_cosine_hemisphere);
+void warp_cone(benchmark::State& state) {
+  run_warp(state, [](Vec2d u) { return sample_uniform_cone(u, 0.01); });
+}
+BENCHMARK(warp_cone);
+
+void environment_2048x1024(benchmark::State& state) {
+  std::vector<double> image(2048U * 1024U);
+  for (std::size_t i = 0; i < image.size(); ++i) image[i] = static_cast<double>(i * 7919 % 1000);
+  const PiecewiseConstant2D distribution(image, 2048);
+  const PixelSampler sampler(1, 0, 0, 0);
+  std::uint32_t k = 0;
+  for (auto _ : state) {
+    const Block8 u = sampler.block(k++ & 0xffffU);
+    auto sample = distribution.sample({u[0], u[1]});
+    benchmark::DoNotOptimize(sample);
+  }
+}
+BENCHMARK(environment_2048x1024);
+
+}  // namespace
+}  // namespace lapidary

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "schema/reader.h"
+#include "spectrum/spectrum.h"
+
+namespace lapidary::description {
+
+// A colour in a scene is "#rrggbb" or "#rgb" (sRGB), a CSS name, linear {r, g, b}, a number (grey),
+// or a spectrum { ... } or blackbody(kelvin). What it means depends on what it is for, so a
+// parameter names one of these readers.
+
+/// The colour of a surface: a reflectance between 0 and 1.
+struct ReflectanceReader {
+  static std::string type() { return "color"; }
+  static Spectrum read(const schema::Value& value, const schema::Context& context);
+  static std::string text(const Spectrum&) { return ""; }
+};
+
+/// Light: a number is the total of a D65-shaped spectrum, {r, g, b} shows as {r, g, b}.
+struct LightReader {
+  static std::string type() { return "number or color"; }
+  static Spectrum read(const schema::Value& value, const schema::Context& context);
+  static std::string text(const Spectrum&) { return ""; }
+};
+
+/// `Reader` for what may be left out.
+template <typename ColorReader>
+struct Optional {
+  static std::string type() { return ColorReader::type(); }
+  static std::optional<Spectrum> read(const schema::Value& value, const schema::Context& context) {
+    return ColorReader::read(value, context);
+  }
+  static std::string text(const std::optional<Spectrum>&) { return ""; }
+};
+
+}  // namespace lapidary::description

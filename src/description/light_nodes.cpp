@@ -1,0 +1,226 @@
+#include "description/emission_parameters.h"
+#include "description/nodes.h"
+#include "description/object_node.h"
+#include "description/sheets.h"
+
+namespace lapidary::description {
+namespace {
+
+using geometry::Sheet;
+using geometry::Solid;
+using geometry::Sphere;
+using schema::Context;
+using schema::Declaration;
+using schema::Node;
+using schema::NodeKind;
+using schema::Unit;
+
+constexpr auto section = "lights";
+
+/// A light with a surface: a shape T that gives light.
+template <typename T>
+struct LightOf : T, EmissionParameters {
+  std::string name;
+};
+
+struct MeshLightParameters {
+  ObjectPtr shape;
+};
+
+constexpr auto surface_strengths = {Quantity::power, Quantity::radiance};
+constexpr auto point_strengths = {Quantity::power, Quantity::intensity};
+constexpr auto distant_strengths = {Quantity::irradiance};
+
+template <typename T>
+Declaration<LightOf<T>>& declare_surface_light(Declaration<LightOf<T>>& d) {
+  declare_emission(d, surface_strengths);
+  return d.parameter("name", &LightOf<T>::name, {.doc = "For reports and layers."});
+}
+
+MaterialPtr emissive_material(const EmissionParameters& e, const Context& context) {
+  auto material = std::make_shared<Material>();
+  material->model = Emissive{to_emission(e, surface_strengths, context)};
+  material->where = context.call().where;
+  return material;
+}
+
+/// An object of shape `content` that wears the emission of `light`.
+template <typename T, typename Content>
+Node surface_light(Content content, LightOf<T>&& light, const Context& context) {
+  return object_node(std::move(content), {emissive_material(light, context), std::move(light.name)},
+                     context);
+}
+
+template <typename Model>
+Node light_node(Model model, const Context& context) {
+  auto light = std::make_shared<Light>(Light{std::move(model), context.call().where});
+  return Node::of<Light>(context.call().node, std::move(light), sizeof(Light));
+}
+
+NodeKind sphere_light() {
+  Declaration<LightOf<Sphere>> d(
+      {.name = "sphere_light", .doc = "A glowing ball.", .section = section});
+  d.parameter("center", &Sphere::center, {.doc = "Its centre.", .unit = Unit::length})
+      .parameter("radius", &Sphere::radius,
+                 {.doc = "Distance from the centre to the surface.",
+                  .unit = Unit::length,
+                  .range = schema::positive});
+  return node_kind(declare_surface_light(d), [](LightOf<Sphere>&& s, const Context& context) {
+    return surface_light(Solid(static_cast<const Sphere&>(s)), std::move(s), context);
+  });
+}
+
+NodeKind rectangle_light() {
+  using Parameters = LightOf<RectangleParameters>;
+  Declaration<Parameters> d({.name = "rectangle_light",
+                             .doc = "A flat panel that gives light from its front.",
+                             .section = section});
+  return node_kind(declare_surface_light(declare_rectangle(d)),
+                   [](Parameters&& r, const Context& context) {
+                     return surface_light(Sheet(to_rectangle(r, context)), std::move(r), context);
+                   });
+}
+
+NodeKind disk_light() {
+  using Parameters = LightOf<DiskParameters>;
+  Declaration<Parameters> d({.name = "disk_light",
+                             .doc = "A flat round panel that gives light from its front.",
+                             .section = section});
+  return node_kind(declare_surface_light(declare_disk(d)),
+                   [](Parameters&& p, const Context& context) {
+                     return surface_light(Sheet(to_disk(p, context)), std::move(p), context);
+                   });
+}
+
+NodeKind mesh_light() {
+  using Parameters = LightOf<MeshLightParameters>;
+  Declaration<Parameters> d({.name = "mesh_light",
+                             .doc = "Any object, all of it giving light. Every part of a group "
+                                    "has the stated power.",
+                             .section = section});
+  d.parameter("shape", &MeshLightParameters::shape,
+              {.doc = "What gives the light.",
+               .need = schema::Need::required,
+               .shorthand = schema::Shorthand::yes});
+  return node_kind(declare_surface_light(d), [](Parameters&& m, const Context& context) {
+    ObjectPtr object = with_material_everywhere(*m.shape, emissive_material(m, context));
+    if (!m.name.empty()) object = with_name(*object, m.name);
+    return Node::of<Object>(context.call().node, std::move(object), sizeof(Object));
+  });
+}
+
+struct PointParameters : EmissionParameters {
+  Vec3d position;
+};
+
+NodeKind point_light() {
+  Declaration<PointParameters> d(
+      {.name = "point_light", .doc = "Light from one point, all around.", .section = section});
+  d.parameter("position", &PointParameters::position,
+              {.doc = "Where it is.", .unit = Unit::length});
+  return node_kind(declare_emission(d, point_strengths), [](PointParameters&& p,
+                                                            const Context& context) {
+    return light_node(PointLight{p.position, to_emission(p, point_strengths, context)}, context);
+  });
+}
+
+struct SpotParameters : SpotLight, EmissionParameters {};
+
+NodeKind spot_light() {
+  Declaration<SpotParameters> d(
+      {.name = "spot_light", .doc = "Light from one point within a cone.", .section = section});
+  d.parameter("from", &SpotLight::from, {.doc = "Where it is.", .unit = Unit::length})
+      .parameter("at", &SpotLight::at, {.doc = "A point it shines at.", .unit = Unit::length})
+      .parameter("angle", &SpotLight::angle,
+                 {.doc = "From one side of the cone to the other.",
+                  .unit = Unit::degrees,
+                  .range = {.min = 0, .max = 180, .min_end = schema::Range::End::open}})
+      .parameter("penumbra", &SpotLight::penumbra,
+                 {.doc = "Share of the cone's half angle over which light fades to its rim.",
+                  .range = schema::unit_interval});
+  return node_kind(declare_emission(d, point_strengths),
+                   [](SpotParameters&& s, const Context& context) {
+                     if (s.from == s.at) context.at("at").fail("must differ from 'from'");
+                     s.emission = to_emission(s, point_strengths, context);
+                     return light_node(static_cast<const SpotLight&>(s), context);
+                   });
+}
+
+/// A distant light as people say it: where it comes from, or which way it shines.
+struct DistantParameters : EmissionParameters {
+  std::optional<Vec3d> from, direction;
+  double angle = 0;
+};
+
+NodeKind distant_light() {
+  Declaration<DistantParameters> d({.name = "distant_light",
+                                    .doc = "Light from one direction everywhere, as from the sun.",
+                                    .section = section});
+  d.parameter("from", &DistantParameters::from,
+              {.doc = "A point in the direction it comes from, seen from {0, 0, 0}; above when "
+                      "left out."})
+      .parameter("direction", &DistantParameters::direction,
+                 {.doc = "The way it shines, instead of 'from'."})
+      .parameter("angle", &DistantParameters::angle,
+                 {.doc = "Its diameter in the sky; the sun's is 0.53.",
+                  .unit = Unit::degrees,
+                  .range = {.min = 0, .max = 180, .max_end = schema::Range::End::open}});
+  return node_kind(declare_emission(d, distant_strengths),
+                   [](DistantParameters&& s, const Context& context) {
+                     if (s.from && s.direction)
+                       context.fail("takes either 'from' or 'direction', not both");
+                     DistantLight light;
+                     if (s.from) light.direction = -*s.from;
+                     if (s.direction) light.direction = *s.direction;
+                     if (length(light.direction) == 0.0) {
+                       context.at(s.from ? "from" : "direction").fail("must not be zero");
+                     }
+                     light.angle = s.angle;
+                     light.emission = to_emission(s, distant_strengths, context);
+                     return light_node(std::move(light), context);
+                   });
+}
+
+struct EnvironmentParameters {
+  std::optional<schema::InputFile> file;
+  std::optional<Spectrum> color;
+  double scale = 1;
+  double rotate = 0;
+};
+
+NodeKind environment() {
+  Declaration<EnvironmentParameters> d({.name = "environment",
+                                        .doc = "Light from all around: a picture, or one color.",
+                                        .section = section});
+  d.parameter("file", &EnvironmentParameters::file,
+              {.doc = "A picture of everything around, twice as wide as high; its top is +z, its "
+                      "middle +y.",
+               .shorthand = schema::Shorthand::yes})
+      .parameter<Optional<LightReader>>("color", &EnvironmentParameters::color,
+                                        {.doc = "The radiance everywhere, instead of 'file'; 1 "
+                                                "when both are left out.",
+                                         .unit = Unit::radiance})
+      .parameter("scale", &EnvironmentParameters::scale,
+                 {.doc = "Multiplies the light.", .range = schema::non_negative})
+      .parameter("rotate", &EnvironmentParameters::rotate,
+                 {.doc = "Turns the picture about z.", .unit = Unit::degrees});
+  return node_kind(std::move(d), [](EnvironmentParameters&& e, const Context& context) {
+    if (e.file && e.color) context.fail("takes either 'file' or 'color', not both");
+    if (e.file) return light_node(ImageEnvironment{e.file->path, e.scale, e.rotate}, context);
+    const Spectrum color = e.color.value_or(Spectrum::illuminant({1, 1, 1}));
+    return light_node(ConstantEnvironment{color.scaled(static_cast<float>(e.scale))}, context);
+  });
+}
+
+}  // namespace
+
+std::vector<NodeKind> light_kinds() {
+  const NodeKind distant = distant_light();
+  return {sphere_light(), rectangle_light(),
+          disk_light(),   mesh_light(),
+          point_light(),  spot_light(),
+          distant,        alias(distant, "sun", "Another name for distant_light."),
+          environment()};
+}
+
+}  // namespace lapidary::description

@@ -1,0 +1,153 @@
+#include <fmt/format.h>
+
+#include "description/color_readers.h"
+#include "description/emission_parameters.h"
+#include "description/node_readers.h"
+#include "description/nodes.h"
+
+namespace lapidary::description {
+namespace {
+
+using schema::Context;
+using schema::Declaration;
+using schema::Node;
+using schema::NodeKind;
+using schema::Shorthand;
+using schema::Value;
+using schema::ValueKind;
+
+constexpr auto section = "materials";
+
+template <typename Model>
+Node material_node(Model model, const Context& context) {
+  auto material = std::make_shared<Material>();
+  material->model = std::move(model);
+  material->where = context.call().where;
+  return Node::of<Material>(context.call().node, std::move(material), sizeof(Material));
+}
+
+/// Fails because `value` is no name in a catalogue.
+[[noreturn]] void fail_catalogue(const std::vector<std::string>& names, std::string_view wanted,
+                                 const Value& value, const Context& context) {
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  std::string hint = schema::did_you_mean(value.string(), known);
+  if (hint.empty()) hint = fmt::format("known are {}", fmt::join(names, ", "));
+  context.fail(fmt::format("names no {}: {}", wanted, value.describe()), std::move(hint));
+}
+
+struct GlassIndexReader {
+  static std::string type() { return "number or name"; }
+  static RefractiveIndex read(const Value& value, const Context& context) {
+    if (value.kind() == ValueKind::number) {
+      return RefractiveIndex::constant(schema::Reader<double>::read(value, context));
+    }
+    if (value.kind() != ValueKind::string) {
+      schema::fail_type("an index such as 1.5 or the name of a glass", value, context);
+    }
+    if (auto index = find_glass(value.string())) return *std::move(index);
+    fail_catalogue(glass_names(), "glass", value, context);
+  }
+  static std::string text(const RefractiveIndex& index) {
+    return index.dispersive() ? "" : fmt::format("{}", index.at(589.3));
+  }
+};
+
+struct MetalIndexReader {
+  static std::string type() { return "name"; }
+  static std::optional<ConductorIndex> read(const Value& value, const Context& context) {
+    if (value.kind() != ValueKind::string) schema::fail_type("the name of a metal", value, context);
+    if (auto index = find_metal(value.string())) return index;
+    fail_catalogue(metal_names(), "metal", value, context);
+  }
+  static std::string text(const std::optional<ConductorIndex>&) { return ""; }
+};
+
+struct MetalParameters {
+  std::optional<ConductorIndex> index;
+  std::optional<Spectrum> color;
+  std::optional<Spectrum> n, k;
+  double roughness = 0;
+};
+
+Metal to_metal(const MetalParameters& m, const Context& context) {
+  const bool spectra = m.n || m.k;
+  if (int{m.index.has_value()} + int{m.color.has_value()} + int{spectra} > 1) {
+    context.fail("takes one of 'index', 'color', or 'n' with 'k'");
+  }
+  if (spectra && !(m.n && m.k)) context.fail("needs both 'n' and 'k'");
+  Metal metal;
+  metal.roughness = m.roughness;
+  if (m.index) metal.surface = *m.index;
+  if (spectra) metal.surface = ConductorIndex{*m.n, *m.k};
+  if (m.color) metal.surface = *m.color;
+  return metal;
+}
+
+constexpr auto roughness_doc = "0 is polished, 1 is dull.";
+
+NodeKind matte() {
+  Declaration<Matte> d(
+      {.name = "matte", .doc = "Diffuse, like chalk or plaster.", .section = section});
+  d.parameter<ReflectanceReader>("color", &Matte::color,
+                                 {.doc = "Share of the light it gives back.",
+                                  .shorthand = Shorthand::yes,
+                                  .default_text = "{0.8, 0.8, 0.8}"});
+  return node_kind(std::move(d), [](Matte&& m, const Context& context) {
+    return material_node(std::move(m), context);
+  });
+}
+
+NodeKind metal() {
+  Declaration<MetalParameters> d(
+      {.name = "metal", .doc = "A conductor, from mirror to brushed.", .section = section});
+  d.parameter<MetalIndexReader>(
+       "index", &MetalParameters::index,
+       {.doc = fmt::format("A measured metal: {}.", fmt::join(metal_names(), ", ")),
+        .shorthand = Shorthand::yes})
+      .parameter<Optional<ReflectanceReader>>(
+          "color", &MetalParameters::color,
+          {.doc = "What it reflects head on, instead of 'index'.",
+           .default_text = "{0.9, 0.9, 0.9}"})
+      .parameter("n", &MetalParameters::n, {.doc = "Real part of its refractive index, with 'k'."})
+      .parameter("k", &MetalParameters::k,
+                 {.doc = "Imaginary part (extinction) of its refractive index, with 'n'."})
+      .parameter("roughness", &MetalParameters::roughness,
+                 {.doc = roughness_doc, .range = schema::unit_interval});
+  return node_kind(std::move(d), [](MetalParameters&& m, const Context& context) {
+    return material_node(to_metal(m, context), context);
+  });
+}
+
+NodeKind glass() {
+  Declaration<Glass> d({.name = "glass", .doc = "Clear: glass, water, gems.", .section = section});
+  d.parameter<GlassIndexReader>(
+       "index", &Glass::index,
+       {.doc = fmt::format("Refractive index, or one of: {}.", fmt::join(glass_names(), ", ")),
+        .range = {.min = 1, .max = 10},
+        .shorthand = Shorthand::yes})
+      .parameter("roughness", &Glass::roughness,
+                 {.doc = roughness_doc, .range = schema::unit_interval});
+  return node_kind(std::move(d), [](Glass&& g, const Context& context) {
+    return material_node(std::move(g), context);
+  });
+}
+
+NodeKind emissive() {
+  static constexpr auto strengths = {Quantity::radiance, Quantity::power};
+  Declaration<EmissionParameters> d(
+      {.name = "emissive",
+       .doc = "Gives light: from the outside of solids, from the front of sheets and meshes.",
+       .section = section});
+  declare_emission(d, strengths);
+  return node_kind(std::move(d), [](EmissionParameters&& e, const Context& context) {
+    return material_node(Emissive{to_emission(e, strengths, context)}, context);
+  });
+}
+
+}  // namespace
+
+std::vector<NodeKind> material_kinds() {
+  return {matte(), metal(), glass(), emissive()};
+}
+
+}  // namespace lapidary::description

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "description/camera.h"
+#include "description/light.h"
+#include "description/object.h"
+#include "schema/reader.h"
+
+namespace lapidary::schema {
+
+/// What a message calls a node of type T: "a material".
+template <typename T>
+struct NodeWord;
+template <>
+struct NodeWord<description::Object> {
+  static constexpr std::string_view type = "object";
+  static constexpr std::string_view wanted = "an object";
+};
+template <>
+struct NodeWord<description::Material> {
+  static constexpr std::string_view type = "material";
+  static constexpr std::string_view wanted = "a material";
+};
+template <>
+struct NodeWord<description::Light> {
+  static constexpr std::string_view type = "light";
+  static constexpr std::string_view wanted = "a light";
+};
+template <>
+struct NodeWord<description::Camera> {
+  static constexpr std::string_view type = "camera";
+  static constexpr std::string_view wanted = "a camera";
+};
+template <>
+struct NodeWord<Spectrum> {
+  static constexpr std::string_view type = "spectrum";
+  static constexpr std::string_view wanted = "a spectrum";
+};
+
+/// Null when `value` is no node of type T.
+template <typename T>
+std::shared_ptr<const T> node_as(const Value& value) {
+  return value.kind() == ValueKind::node ? value.node().as<T>() : nullptr;
+}
+
+/// Nodes that are shared.
+template <typename T>
+requires requires {
+  NodeWord<T>::type;
+}
+struct Reader<std::shared_ptr<const T>> {
+  static std::string type() { return std::string(NodeWord<T>::type); }
+  static std::shared_ptr<const T> read(const Value& value, const Context& context) {
+    auto node = node_as<T>(value);
+    if (!node) fail_type(NodeWord<T>::wanted, value, context);
+    return node;
+  }
+  static std::string text(const std::shared_ptr<const T>&) { return ""; }
+};
+
+/// Nodes that are copied.
+template <typename T>
+requires requires {
+  NodeWord<T>::type;
+}
+struct Reader<T> {
+  static std::string type() { return std::string(NodeWord<T>::type); }
+  static T read(const Value& value, const Context& context) {
+    return *Reader<std::shared_ptr<const T>>::read(value, context);
+  }
+  static std::string text(const T&) { return ""; }
+};
+
+}  // namespace lapidary::schema
+
+namespace lapidary::description {
+
+/// Objects in lists of lists, as loops and functions make them, flattened.
+struct ObjectListReader {
+  static std::string type() { return "objects, in lists that may nest"; }
+  static std::vector<ObjectPtr> read(const schema::Value& value, const schema::Context& context);
+  static std::string text(const std::vector<ObjectPtr>&) { return ""; }
+};
+
+}  // namespace lapidary::description

@@ -1,0 +1,167 @@
+#include "description/settings.h"
+
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "description/nodes.h"
+#include "description/settings_readers.h"
+#include "schema/literal.h"
+
+namespace lapidary::schema {
+
+using description::FilterKind;
+using description::Integrator;
+using description::PictureSize;
+using description::ToneCurve;
+
+template <>
+struct EnumNames<ToneCurve> {
+  static constexpr std::array<std::pair<std::string_view, ToneCurve>, 2> names{
+      {{"filmic", ToneCurve::filmic}, {"none", ToneCurve::none}}};
+};
+
+template <>
+struct EnumNames<Integrator> {
+  static constexpr std::array<std::pair<std::string_view, Integrator>, 2> names{
+      {{"path", Integrator::path}, {"direct", Integrator::direct}}};
+};
+
+template <>
+struct EnumNames<FilterKind> {
+  static constexpr std::array<std::pair<std::string_view, FilterKind>, 4> names{
+      {{"box", FilterKind::box},
+       {"tent", FilterKind::tent},
+       {"gaussian", FilterKind::gaussian},
+       {"blackman_harris", FilterKind::blackman_harris}}};
+};
+
+namespace {
+
+/// Both sides of "960x540".
+std::optional<std::pair<double, double>> parse_sides(std::string_view text) {
+  const char* end = text.data() + text.size();
+  int width = 0, height = 0;
+  const auto first = std::from_chars(text.data(), end, width);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != 'x') return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, height);
+  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
+  return std::pair<double, double>{width, height};
+}
+
+}  // namespace
+
+template <>
+struct Reader<PictureSize> {
+  static std::string type() { return "{width, height} or \"960x540\""; }
+  static PictureSize read(const Value& value, const Context& context) {
+    Value width, height;
+    if (value.kind() == ValueKind::string) {
+      if (const auto sides = parse_sides(value.string())) {
+        width = Value(sides->first), height = Value(sides->second);
+      }
+    } else if (value.kind() == ValueKind::table && value.table().items.size() == 2 &&
+               value.table().fields.empty()) {
+      width = value.table().items[0], height = value.table().items[1];
+    }
+    if (width.is_nil()) fail_type("{width, height} or \"960x540\"", value, context);
+    return {Reader<int>::read(width, context.at("width")),
+            Reader<int>::read(height, context.at("height"))};
+  }
+  static std::string text(const PictureSize& size) {
+    return fmt::format("{{{}, {}}}", size.width, size.height);
+  }
+};
+
+}  // namespace lapidary::schema
+
+namespace lapidary::description {
+namespace {
+
+using schema::Context;
+using schema::Declaration;
+using schema::Unit;
+using schema::Value;
+
+struct CausticsReader {
+  static std::string type() { return "\"paths\""; }
+  static Caustics read(const Value& value, const Context& context) {
+    if (value.kind() == schema::ValueKind::string && value.string() == "paths") {
+      return Caustics::paths;
+    }
+    context.fail(fmt::format("must be \"paths\", not {}", value.describe()),
+                 "caustics by photons are not in this version");
+  }
+  static std::string text(Caustics) { return "\"paths\""; }
+};
+
+Declaration<RenderSettings> declare_render() {
+  using R = RenderSettings;
+  constexpr auto open = schema::Range::End::open;
+  Declaration<R> d({.name = "render",
+                    .doc = "What to render and when to stop: at the first of samples, time and "
+                           "noise that is reached.",
+                    .section = "scene"});
+  d.parameter(
+       "size", &R::size,
+       {.doc = "The picture's sides.", .unit = Unit::pixels, .range = {.min = 1, .max = 65536}})
+      .parameter("samples", &R::samples,
+                 {.doc = "Samples of each pixel.", .range = {.min = 1, .max = 1 << 24}})
+      .parameter("time", &R::time,
+                 {.doc = "Wall time to spend.", .unit = Unit::seconds, .range = schema::positive})
+      .parameter(
+          "noise", &R::noise,
+          {.doc = "Relative error to reach.", .range = {.min = 0, .max = 1, .min_end = open}})
+      .parameter("integrator", &R::integrator,
+                 {.doc = "\"path\" follows all light; \"direct\" is quick, without "
+                         "interreflection."})
+      .parameter("max_depth", &R::max_depth,
+                 {.doc = "Most scattering events of a path.", .range = {.min = 1, .max = 65535}})
+      .parameter<CausticsReader>("caustics", &R::caustics,
+                                 {.doc = "Who renders light focused by glass and mirrors."})
+      .parameter("filter", [](R& r) -> FilterKind& { return r.filter.kind; },
+                 {.doc = "How samples spread over pixels."})
+      .parameter("filter_radius", [](R& r) -> std::optional<double>& { return r.filter.radius; },
+                 {.doc = "How far; the filter's own when left out.",
+                  .unit = Unit::pixels,
+                  .range = {.min = 0.5, .max = 8}})
+      .parameter("seed", &R::seed,
+                 {.doc = "Another seed gives other noise.", .range = {.min = 0, .max = 0x1p53}});
+  return d;
+}
+
+Declaration<FilmSettings> declare_film() {
+  Declaration<FilmSettings> d(
+      {.name = "film", .doc = "How measured light becomes a picture.", .section = "scene"});
+  d.parameter("exposure", &FilmSettings::exposure,
+              {.doc = "Multiplies the light.", .range = {.min = 1e-12, .max = 1e12}})
+      .parameter("tone", &FilmSettings::tone,
+                 {.doc = "Curve of 8-bit pictures; linear files ignore it."});
+  return d;
+}
+
+}  // namespace
+
+const Declaration<RenderSettings>& render_declaration() {
+  static const auto declaration = declare_render();
+  return declaration;
+}
+
+const Declaration<FilmSettings>& film_declaration() {
+  static const auto declaration = declare_film();
+  return declaration;
+}
+
+std::vector<schema::NodeKind> settings_kinds() {
+  return {table_kind(render_declaration()), table_kind(film_declaration())};
+}
+
+void apply_render_override(RenderSettings& settings, std::string_view key, std::string_view value) {
+  schema::ValueArena arena;
+  const auto flag = std::make_shared<const std::string>(fmt::format("--render {}={}", key, value));
+  const schema::Call call{"render", schema::CallSite(flag, 0)};
+  const Value parsed = schema::parse_literal(value, arena).value_or(Value(value));
+  render_declaration().set(settings, key, parsed, Context(call));
+}
+
+}  // namespace lapidary::description

@@ -1,0 +1,143 @@
+#include "film/film.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace lapidary::film {
+namespace {
+
+/// Adds `count` values to consecutive sums; a sample with any fault is counted once per value.
+template <typename... Values>
+void add_values(const FixedScale& scale, std::int64_t* sums, SampleFaults& faults,
+                Values... values) {
+  const auto add_one = [&](double value) {
+    const auto [units, outcome] = scale.fixed(value);
+    *sums = saturating_add(*sums, units);
+    ++sums;
+    if (outcome == FixedScale::Outcome::not_finite) ++faults.not_finite;
+    if (outcome == FixedScale::Outcome::saturated) ++faults.saturated;
+  };
+  (add_one(static_cast<double>(values)), ...);
+}
+
+Rgb to_rgb(double r, double g, double b) {
+  return {static_cast<float>(r), static_cast<float>(g), static_cast<float>(b)};
+}
+
+}  // namespace
+
+Film::Film(const Settings& settings)
+    : settings_(settings),
+      channels_(settings.layers == Layers::all ? PixelSums::channels : PixelSums::albedo),
+      beauty_scale_(1.0 / settings.exposure_factor),
+      depth_scale_(settings.scene_size),
+      // Finer than 2^-32 of the sums' unit would overflow for bright pixels, coarser would lose
+      // the dark ones; squares beyond the range saturate.
+      square_scale_(1.0 / (16.0 * settings.exposure_factor * settings.exposure_factor)) {
+  const std::size_t pixels =
+      static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
+  sums_.assign(pixels * channels_, 0);
+  squares_.assign(pixels * 3, 0);
+  if (settings.layers == Layers::all) {
+    objects_.assign(pixels, 0);
+    hits_.assign(pixels, 0);
+  }
+}
+
+void Film::add(const PixelSample& sample, std::uint32_t pass, PixelSums& sums,
+               SampleFaults& faults) const {
+  ++sums.passes_;
+  std::int64_t* s = sums.sums_.data();
+  add_values(beauty_scale_, s, faults, sample.beauty.r, sample.beauty.g, sample.beauty.b);
+  if (settings_.layers == Layers::beauty) return;
+  add_values(unit_scale_, s + PixelSums::albedo, faults, sample.albedo.r, sample.albedo.g,
+             sample.albedo.b, sample.normal.x, sample.normal.y, sample.normal.z);
+  add_values(depth_scale_, s + PixelSums::depth, faults, sample.depth);
+  if (sample.object != 0) ++sums.hits_;
+  if (pass == 0) sums.object_ = sample.object;
+}
+
+void Film::add_block(int x, int y, const PixelSums& block) {
+  const std::size_t p = pixel(x, y);
+  for (std::size_t c = 0; c < channels_; ++c) {
+    std::int64_t& sum = sums_[p * channels_ + c];
+    sum = saturating_add(sum, block.sums_[c]);
+  }
+  const double n = block.passes_;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double total = beauty_scale_.value(block.sums_[PixelSums::beauty + c]);
+    std::int64_t& square = squares_[p * 3 + c];
+    square = saturating_add(square, square_scale_.fixed(total * total / n).units);
+  }
+  if (settings_.layers == Layers::beauty) return;
+  hits_[p] += block.hits_;
+  objects_[p] = std::max(objects_[p], block.object_);
+}
+
+void Film::finish_block(std::uint32_t passes) {
+  passes_ += passes;
+  ++blocks_;
+}
+
+double Film::mean(std::size_t p, std::size_t channel) const {
+  const FixedScale& scale = channel < PixelSums::albedo  ? beauty_scale_
+                            : channel < PixelSums::depth ? unit_scale_
+                                                         : depth_scale_;
+  return passes_ == 0 ? 0.0
+                      : scale.value(sums_[p * channels_ + channel]) / static_cast<double>(passes_);
+}
+
+Rgb Film::beauty(int x, int y) const {
+  const std::size_t p = pixel(x, y);
+  return to_rgb(mean(p, 0), mean(p, 1), mean(p, 2));
+}
+
+Rgb Film::albedo(int x, int y) const {
+  const std::size_t p = pixel(x, y), c = PixelSums::albedo;
+  return to_rgb(mean(p, c), mean(p, c + 1), mean(p, c + 2));
+}
+
+Vec3f Film::normal(int x, int y) const {
+  const std::size_t p = pixel(x, y), c = PixelSums::normal;
+  return Vec3f(Vec3d{mean(p, c), mean(p, c + 1), mean(p, c + 2)});
+}
+
+float Film::depth(int x, int y) const {
+  const std::size_t p = pixel(x, y);
+  if (hits_[p] == 0) return 0.0f;
+  const double sum = depth_scale_.value(sums_[p * channels_ + PixelSums::depth]);
+  return static_cast<float>(sum / hits_[p]);
+}
+
+std::uint32_t Film::object(int x, int y) const {
+  return objects_[pixel(x, y)];
+}
+
+Rgb Film::variance(int x, int y) const {
+  if (blocks_ < 2) return {};
+  const std::size_t p = pixel(x, y);
+  const auto channel = [&](std::size_t c) {
+    const double m = mean(p, c);
+    const double second = square_scale_.value(squares_[p * 3 + c]) / static_cast<double>(passes_);
+    return std::max(0.0, second - m * m) / static_cast<double>(blocks_ - 1);
+  };
+  return to_rgb(channel(0), channel(1), channel(2));
+}
+
+double Film::noise() const {
+  if (blocks_ < 2) return std::numeric_limits<double>::infinity();
+  double sum = 0.0;
+  for (int y = 0; y < height(); ++y) {
+    for (int x = 0; x < width(); ++x) {
+      const Rgb m = beauty(x, y), v = variance(x, y);
+      const auto relative = [](float variance, float mean) {
+        const double reference = std::abs(static_cast<double>(mean)) + 0.01;
+        return static_cast<double>(variance) / (reference * reference);
+      };
+      sum += relative(v.r, m.r) + relative(v.g, m.g) + relative(v.b, m.b);
+    }
+  }
+  return std::sqrt(sum / (3.0 * width() * height()));
+}
+
+}  // namespace lapidary::film

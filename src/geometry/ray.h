@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/interval_events.h"
+#include "math/constants.h"
+#include "math/vec.h"
+
+namespace lapidary::geometry {
+
+/// What a ray can meet.
+enum class SurfaceKind : std::uint8_t { none, solid, sheet, triangle };
+
+/// The surface a ray starts on, so that its own root is left out exactly instead of being stepped
+/// over by an epsilon.
+struct SurfaceRef {
+  SurfaceKind kind = SurfaceKind::none;
+  Crossing crossing = Crossing::enter;  ///< `enter`: the ray goes into the solid it starts on
+  Patch patch = 0;
+  std::uint32_t index = 0;  ///< which solid or sheet of the world
+};
+
+/// A half-line with what the scene needs to know about it.
+struct Ray {
+  Vec3d origin;
+  Vec3d direction;          ///< any length but zero; t is in its units
+  double t_max = infinity;  ///< surfaces at t < t_max count
+  double time = 0;          ///< in the shutter interval, [0, 1)
+  SurfaceRef from;
+
+  Line line() const { return {origin, direction}; }
+};
+
+/// The nearest surface on a ray. Of a triangle, t and the weights have float accuracy;
+/// `World::surface` computes the point in double.
+struct Hit {
+  double t = infinity;
+  SurfaceKind kind = SurfaceKind::none;
+  Crossing crossing = Crossing::enter;  ///< `enter`: from outside, or onto the front
+  Patch patch = 0;
+  std::uint32_t index = 0;     ///< solid, sheet or mesh placement of the world
+  std::uint32_t triangle = 0;  ///< of the mesh
+  double b1 = 0;               ///< barycentric weight of the triangle's second corner
+  double b2 = 0;               ///< and of its third
+};
+
+}  // namespace lapidary::geometry

@@ -1,0 +1,296 @@
+#include "geometry/triangle_scene.h"
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "math/constants.h"
+
+namespace lapidary::geometry {
+namespace {
+
+constexpr RTCSceneFlags scene_flags = RTC_SCENE_FLAG_ROBUST;
+constexpr RTCBuildQuality build_quality = RTC_BUILD_QUALITY_MEDIUM;
+
+using DeviceHandle = std::unique_ptr<std::remove_pointer_t<RTCDevice>, decltype(&rtcReleaseDevice)>;
+using SceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, decltype(&rtcReleaseScene)>;
+using GeometryHandle =
+    std::unique_ptr<std::remove_pointer_t<RTCGeometry>, decltype(&rtcReleaseGeometry)>;
+
+/// One instruction set on every machine, so that every machine finds the same hits; threads stay
+/// where the pool put them.
+DeviceHandle new_device(int threads) {
+  const std::string config = fmt::format("isa=avx2,set_affinity=0,threads={}", threads);
+  DeviceHandle device(rtcNewDevice(config.c_str()), &rtcReleaseDevice);
+  if (!device) throw Error({}, "the ray tracing library Embree could not be started");
+  return device;
+}
+
+SceneHandle new_scene(RTCDevice device) {
+  SceneHandle scene(rtcNewScene(device), &rtcReleaseScene);
+  rtcSetSceneFlags(scene.get(), scene_flags);
+  rtcSetSceneBuildQuality(scene.get(), build_quality);
+  return scene;
+}
+
+void intersect(RTCScene scene, RTCRayHit& query) {
+#if RTC_VERSION_MAJOR >= 4
+  rtcIntersect1(scene, &query);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &query);
+#endif
+}
+
+void occlude(RTCScene scene, RTCRay& query) {
+#if RTC_VERSION_MAJOR >= 4
+  rtcOccluded1(scene, &query);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene, &context, &query);
+#endif
+}
+
+float float_limit(double t) {
+  const float f = static_cast<float>(t);
+  return static_cast<double>(f) < t ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
+}
+
+void set_ray(RTCRay& ray, const Line& line, Vec3d center, double t_max) {
+  ray.org_x = static_cast<float>(line.origin.x - center.x);
+  ray.org_y = static_cast<float>(line.origin.y - center.y);
+  ray.org_z = static_cast<float>(line.origin.z - center.z);
+  ray.dir_x = static_cast<float>(line.direction.x);
+  ray.dir_y = static_cast<float>(line.direction.y);
+  ray.dir_z = static_cast<float>(line.direction.z);
+  ray.tnear = 0.0f;
+  ray.tfar = float_limit(t_max);
+  ray.time = 0.0f;
+  ray.mask = ~0u;
+  ray.id = 0;
+  ray.flags = 0;
+}
+
+}  // namespace
+
+struct TriangleScene::State {
+  /// Vertices as Embree sees them, padded for its 16-byte loads; relative to `center` for a flat
+  /// mesh, to the mesh's own origin for an instanced one.
+  struct Vertices {
+    std::vector<Vec3f> positions;
+  };
+  struct Placed {
+    MeshPlacement placement;
+    const Vertices* vertices = nullptr;
+    bool instanced = false;
+    Transform center_from_vertices;  ///< for instanced ones
+    Vec3d origin;                    ///< for flat ones: what their vertices are relative to
+  };
+
+  std::vector<Placed> placed;
+  std::map<const TriangleMesh*, std::unique_ptr<Vertices>> shared_vertices;
+  std::vector<std::unique_ptr<Vertices>> own_vertices;
+  Vec3d center;
+  Box3d bounds;
+  DeviceHandle device{nullptr, &rtcReleaseDevice};
+  std::vector<SceneHandle> mesh_scenes;
+  SceneHandle scene{nullptr, &rtcReleaseScene};
+
+  void attach(RTCScene into, const TriangleMesh& mesh, const Vertices& vertices, unsigned id);
+  void attach_instance(RTCScene of, const Transform& center_from_vertices, unsigned id);
+  void add_flat(unsigned id);
+  void add_instanced(unsigned id, std::map<const TriangleMesh*, RTCScene>& scenes);
+};
+
+void TriangleScene::State::attach(RTCScene into, const TriangleMesh& mesh, const Vertices& vertices,
+                                  unsigned id) {
+  const GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE),
+                                &rtcReleaseGeometry);
+  rtcSetGeometryBuildQuality(geometry.get(), build_quality);
+  rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                             vertices.positions.data(), 0, sizeof(Vec3f), mesh.positions.size());
+  rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                             mesh.triangles.data(), 0, sizeof(mesh.triangles[0]),
+                             mesh.triangles.size());
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometryByID(into, geometry.get(), id);
+}
+
+void TriangleScene::State::attach_instance(RTCScene of, const Transform& center_from_vertices,
+                                           unsigned id) {
+  const GeometryHandle instance(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_INSTANCE),
+                                &rtcReleaseGeometry);
+  std::array<float, 12> matrix;  // 3x4, by columns
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 3; ++column) {
+      matrix[3 * column + row] = static_cast<float>(center_from_vertices.linear().row[row][column]);
+    }
+    matrix[9 + row] = static_cast<float>(center_from_vertices.offset()[row]);
+  }
+  rtcSetGeometryInstancedScene(instance.get(), of);
+  rtcSetGeometryTransform(instance.get(), 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, matrix.data());
+  rtcCommitGeometry(instance.get());
+  rtcAttachGeometryByID(scene.get(), instance.get(), id);
+}
+
+void TriangleScene::State::add_flat(unsigned id) {
+  Placed& p = placed[id];
+  const TriangleMesh& mesh = *p.placement.mesh;
+  auto vertices = std::make_unique<Vertices>();
+  vertices->positions.reserve(mesh.positions.size() + 1);
+  for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3d world = p.placement.world_from_mesh.point(mesh.position(i));
+    vertices->positions.push_back(Vec3f(world - center));
+  }
+  vertices->positions.emplace_back();
+  attach(scene.get(), mesh, *vertices, id);
+  p.vertices = vertices.get();
+  p.origin = center;
+  own_vertices.push_back(std::move(vertices));
+}
+
+void TriangleScene::State::add_instanced(unsigned id,
+                                         std::map<const TriangleMesh*, RTCScene>& scenes) {
+  Placed& p = placed[id];
+  const TriangleMesh& mesh = *p.placement.mesh;
+  auto& vertices = shared_vertices[&mesh];
+  if (!vertices) {
+    vertices = std::make_unique<Vertices>(Vertices{mesh.positions});
+    vertices->positions.emplace_back();
+    mesh_scenes.push_back(new_scene(device.get()));
+    attach(mesh_scenes.back().get(), mesh, *vertices, 0);
+    rtcCommitScene(mesh_scenes.back().get());
+    scenes[&mesh] = mesh_scenes.back().get();
+  }
+  p.instanced = true;
+  p.vertices = vertices.get();
+  p.center_from_vertices = Transform::translation(-center) * p.placement.world_from_mesh *
+                           Transform::translation(mesh.origin);
+  attach_instance(scenes[&mesh], p.center_from_vertices, id);
+}
+
+TriangleScene::TriangleScene() : state_(std::make_unique<State>()) {}
+TriangleScene::~TriangleScene() = default;
+TriangleScene::TriangleScene(TriangleScene&&) noexcept = default;
+TriangleScene& TriangleScene::operator=(TriangleScene&&) noexcept = default;
+
+TriangleScene::TriangleScene(std::vector<MeshPlacement> placements, ThreadPool& pool)
+    : TriangleScene() {
+  if (placements.empty()) return;
+  State& s = *state_;
+  std::map<const TriangleMesh*, int> uses;
+  for (MeshPlacement& placement : placements) {
+    ++uses[placement.mesh.get()];
+    s.bounds.extend(placement.world_from_mesh.box(geometry::bounds(*placement.mesh)));
+    s.placed.push_back({.placement = std::move(placement)});
+  }
+  s.center = s.bounds.center();
+  s.device = new_device(pool.threads());
+  s.scene = new_scene(s.device.get());
+  pool.run_inside([&s, &uses] {
+    std::map<const TriangleMesh*, RTCScene> mesh_scenes;
+    for (unsigned id = 0; id < s.placed.size(); ++id) {
+      if (uses[s.placed[id].placement.mesh.get()] == 1) {
+        s.add_flat(id);
+      } else {
+        s.add_instanced(id, mesh_scenes);
+      }
+    }
+    rtcCommitScene(s.scene.get());
+  });
+  if (rtcGetDeviceError(s.device.get()) != RTC_ERROR_NONE) {
+    throw Error({}, "the triangles could not be put into a ray tracing structure",
+                "is there enough memory?");
+  }
+}
+
+bool TriangleScene::empty() const {
+  return state_->placed.empty();
+}
+
+bool TriangleScene::nearest(const Line& line, double t_max, TriangleHit& hit) const {
+  const State& s = *state_;
+  if (s.placed.empty()) return false;
+  RTCRayHit query;
+  set_ray(query.ray, line, s.center, t_max);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  intersect(s.scene.get(), query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+  const bool instanced = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
+  hit = {static_cast<double>(query.ray.tfar), instanced ? query.hit.instID[0] : query.hit.geomID,
+         query.hit.primID, static_cast<double>(query.hit.u), static_cast<double>(query.hit.v)};
+  return true;
+}
+
+bool TriangleScene::occluded(const Line& line, double t_max) const {
+  const State& s = *state_;
+  if (s.placed.empty()) return false;
+  RTCRay query;
+  set_ray(query, line, s.center, t_max);
+  occlude(s.scene.get(), query);
+  return query.tfar < 0.0f;
+}
+
+void TriangleScene::refine(const Line& line, const Corners& c, TriangleHit& hit) {
+  const Vec3d e1 = c.p1 - c.p0, e2 = c.p2 - c.p0;
+  const Vec3d s = cross(line.direction, e2);
+  const double det = dot(e1, s);
+  const double size = length_squared(e1) * length_squared(s);
+  if (!(det * det > 1e-24 * size)) return;
+  const Vec3d to_origin = line.origin - c.p0;
+  const Vec3d q = cross(to_origin, e1);
+  const double inverse = 1.0 / det;
+  hit.t = dot(e2, q) * inverse;
+  hit.b1 = std::clamp(dot(to_origin, s) * inverse, 0.0, 1.0);
+  hit.b2 = std::clamp(dot(line.direction, q) * inverse, 0.0, 1.0 - hit.b1);
+}
+
+Corners TriangleScene::corners(std::uint32_t placement, std::uint32_t triangle) const {
+  const State::Placed& p = state_->placed[placement];
+  const auto& index = p.placement.mesh->triangles[triangle];
+  const std::vector<Vec3f>& v = p.vertices->positions;
+  const Corners c{Vec3d(v[index[0]]), Vec3d(v[index[1]]), Vec3d(v[index[2]])};
+  if (!p.instanced) return {c.p0 + p.origin, c.p1 + p.origin, c.p2 + p.origin};
+  const auto world = [&](Vec3d q) { return p.center_from_vertices.point(q) + state_->center; };
+  return {world(c.p0), world(c.p1), world(c.p2)};
+}
+
+const MeshPlacement& TriangleScene::placement(std::uint32_t index) const {
+  return state_->placed[index].placement;
+}
+
+double TriangleScene::self_distance(Vec3d p, std::uint32_t placement, const Corners& c) const {
+  // In units of 2^-24: rounding the origin moves it by one per axis of its distance from the
+  // centre; the edge tests of the robust traversal err by a few per edge length; an instance's
+  // matrix, rounded and applied, by some four more of both.
+  const double edge = std::max(max_component(abs(c.p1 - c.p0)), max_component(abs(c.p2 - c.p0)));
+  const double distance = max_component(abs(p - state_->center));
+  const double factor = state_->placed[placement].instanced ? 12.0 : 4.0;
+  return 0x1p-24 * factor * (distance + edge);
+}
+
+Box3d TriangleScene::bounds() const {
+  return state_->bounds;
+}
+
+std::size_t TriangleScene::triangle_count() const {
+  std::size_t count = 0;
+  for (const State::Placed& p : state_->placed) count += p.placement.mesh->triangles.size();
+  return count;
+}
+
+void* TriangleScene::native_scene() const {
+  return state_->scene.get();
+}
+
+}  // namespace lapidary::geometry

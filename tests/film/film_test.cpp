@@ -1,0 +1,116 @@
+#include "film/film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace lapidary::film {
+namespace {
+
+PixelSample grey(double value) {
+  const auto v = static_cast<float>(value);
+  return {{v, v, v}, {}, {}, 0, 0};
+}
+
+/// A film of one pixel that has been given `values` in blocks of `per_block`.
+Film one_pixel(const std::vector<double>& values, std::size_t per_block,
+               const std::vector<std::size_t>& block_order) {
+  Film film({.width = 1, .height = 1});
+  SampleFaults faults;
+  for (const std::size_t block : block_order) {
+    PixelSums sums;
+    for (std::size_t i = 0; i < per_block; ++i) {
+      const std::size_t pass = block * per_block + i;
+      film.add(grey(values[pass]), static_cast<std::uint32_t>(pass), sums, faults);
+    }
+    film.add_block(0, 0, sums);
+    film.finish_block(static_cast<std::uint32_t>(per_block));
+  }
+  return film;
+}
+
+TEST(Film, SumsDoNotDependOnTheOrderOfBlocks) {
+  std::mt19937_64 random(1);
+  std::lognormal_distribution<double> bright(0.0, 4.0);
+  std::vector<double> values(400);
+  for (double& v : values) v = bright(random);
+  std::vector<std::size_t> order(100);
+  std::iota(order.begin(), order.end(), 0u);
+  const Film forward = one_pixel(values, 4, order);
+  for (int i = 0; i < 10; ++i) {
+    std::shuffle(order.begin(), order.end(), random);
+    const Film shuffled = one_pixel(values, 4, order);
+    EXPECT_EQ(forward.beauty(0, 0), shuffled.beauty(0, 0));
+    EXPECT_EQ(forward.variance(0, 0), shuffled.variance(0, 0));
+    EXPECT_EQ(forward.noise(), shuffled.noise());
+  }
+}
+
+TEST(Film, MeanAndVarianceAgreeWithTheTextbook) {
+  std::mt19937_64 random(2);
+  std::gamma_distribution<double> gamma(0.5, 0.8);
+  std::vector<double> values(4000);
+  for (double& v : values) v = static_cast<double>(static_cast<float>(gamma(random)));
+  std::vector<std::size_t> order(1000);
+  std::iota(order.begin(), order.end(), 0u);
+  const Film film = one_pixel(values, 4, order);
+  std::vector<double> means;
+  for (std::size_t b = 0; b < order.size(); ++b) {
+    means.push_back(std::accumulate(&values[4 * b], &values[4 * b] + 4, 0.0) / 4);
+  }
+  const double mean = std::accumulate(means.begin(), means.end(), 0.0) / 1000;
+  double squares = 0;
+  for (const double m : means) squares += (m - mean) * (m - mean);
+  const double variance = squares / 999 / 1000;
+  EXPECT_NEAR(static_cast<double>(film.beauty(0, 0).r), mean, 1e-7);
+  EXPECT_NEAR(static_cast<double>(film.variance(0, 0).g) / variance, 1.0, 1e-4);
+  const double noise = std::sqrt(variance) / (mean + 0.01);
+  EXPECT_NEAR(film.noise() / noise, 1.0, 1e-4);
+}
+
+TEST(Film, CountsWhatItCannotAdd) {
+  Film film({.width = 1, .height = 1});
+  SampleFaults faults;
+  PixelSums sums;
+  film.add(grey(std::nan("")), 0, sums, faults);
+  film.add(grey(INFINITY), 1, sums, faults);
+  EXPECT_EQ(faults.not_finite, 6u);
+  EXPECT_EQ(faults.saturated, 0u);
+  film.add(grey(1e30), 2, sums, faults);
+  EXPECT_EQ(faults.saturated, 3u);
+  film.add(grey(1.0), 3, sums, faults);
+  film.add_block(0, 0, sums);
+  film.finish_block(4);
+  EXPECT_EQ(film.beauty(0, 0).r, static_cast<float>((0x1p28 + 1.0) / 4));
+}
+
+TEST(Film, KeepsLayers) {
+  Film film({.width = 2, .height = 1, .layers = Layers::all, .scene_size = 100});
+  SampleFaults faults;
+  PixelSums sums;
+  film.add({{1, 2, 3}, {0.5f, 0.25f, 0.125f}, {0, 0, 1}, 40, 7}, 0, sums, faults);
+  film.add({{1, 2, 3}, {0.5f, 0.25f, 0.125f}, {1, 0, 0}, 60, 8}, 1, sums, faults);
+  film.add({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 0}, 2, sums, faults);
+  film.add({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, 0, 0}, 3, sums, faults);
+  film.add_block(1, 0, sums);
+  film.finish_block(4);
+  EXPECT_EQ(film.albedo(1, 0), (Rgb{0.25f, 0.125f, 0.0625f}));
+  EXPECT_EQ(film.normal(1, 0), (Vec3f{0.25f, 0, 0.25f}));
+  EXPECT_NEAR(static_cast<double>(film.depth(1, 0)), 50.0, 1e-6);
+  EXPECT_EQ(film.object(1, 0), 7u) << "that of pass 0, whatever came later";
+  EXPECT_EQ(film.object(0, 0), 0u);
+}
+
+TEST(FixedScale, RoundsToNearestAndBack) {
+  const FixedScale scale(0.5);
+  EXPECT_EQ(scale.fixed(0.5).units, INT64_C(1) << 32);
+  EXPECT_EQ(scale.value(scale.fixed(0.3).units), std::nearbyint(0.6 * 0x1p32) * 0x1p-33);
+  EXPECT_EQ(saturating_add(INT64_MAX - 1, 5), INT64_MAX);
+  EXPECT_EQ(saturating_add(INT64_MIN + 1, -5), INT64_MIN);
+}
+
+}  // namespace
+}  // namespace lapidary::film

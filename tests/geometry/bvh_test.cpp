@@ -1,0 +1,127 @@
+#include "geometry/bvh.h"
+
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace lapidary::geometry {
+namespace {
+
+/// Slab test in long double, with no slack.
+bool meets(const Box3d& box, const Line& line, double t_max) {
+  long double t0 = 0, t1 = t_max;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const long double o = line.origin[axis], d = line.direction[axis];
+    if (d == 0) {
+      if (o < box.min[axis] || o > box.max[axis]) return false;
+      continue;
+    }
+    const long double a = (box.min[axis] - o) / d, b = (box.max[axis] - o) / d;
+    t0 = std::max(t0, std::min(a, b));
+    t1 = std::min(t1, std::max(a, b));
+  }
+  return t0 <= t1;
+}
+
+class Scatter {
+ public:
+  explicit Scatter(unsigned seed) : random_(seed) {}
+
+  /// Boxes of all sizes, flat ones and points among them, on a coarse grid so that faces coincide.
+  Box3d box(double scale, Vec3d offset) {
+    Box3d b;
+    const Vec3d corner{grid(), grid(), grid()};
+    b.min = offset + corner * scale;
+    b.max = b.min + Vec3d{size(), size(), size()} * scale;
+    return b;
+  }
+
+  Line line(double scale, Vec3d offset) {
+    Line l{offset + Vec3d{grid(), grid(), grid()} * scale, {}};
+    do {
+      l.direction = {component(), component(), component()};
+    } while (l.direction == Vec3d{});
+    return l;
+  }
+
+ private:
+  double grid() { return static_cast<double>(random_() % 41) * 0.25 - 5.0; }
+  double size() { return static_cast<double>(random_() % 4) * 0.25; }
+  double component() {
+    const auto kind = random_() % 4;
+    if (kind == 0) return 0.0;
+    if (kind == 1) return random_() % 2 == 0 ? 1.0 : -1.0;
+    return std::uniform_real_distribution<double>(-1, 1)(random_);
+  }
+  std::mt19937_64 random_;
+};
+
+void expect_nothing_missed(std::size_t count, double scale, Vec3d offset) {
+  Scatter scatter(static_cast<unsigned>(count));
+  std::vector<Box3d> boxes;
+  for (std::size_t i = 0; i < count; ++i) boxes.push_back(scatter.box(scale, offset));
+  const Bvh bvh(boxes);
+  for (int i = 0; i < 400; ++i) {
+    const Line line = scatter.line(scale, offset);
+    const double t_max = i % 2 == 0 ? infinity : 3.0 * scale;
+    std::set<std::uint32_t> visited;
+    bvh.walk(line, t_max, [&](std::uint32_t item, double&) {
+      EXPECT_TRUE(visited.insert(item).second) << "visited twice";
+      return false;
+    });
+    for (std::uint32_t item = 0; item < boxes.size(); ++item) {
+      if (meets(boxes[item], line, t_max)) {
+        ASSERT_TRUE(visited.count(item))
+            << count << " boxes at scale " << scale << ", item " << item;
+      }
+    }
+  }
+}
+
+TEST(Bvh, VisitsEveryBoxThatALineMeets) {
+  for (const std::size_t count : {1u, 2u, 7u, 8u, 9u, 64u, 500u}) {
+    expect_nothing_missed(count, 1.0, {});
+    expect_nothing_missed(count, 1e-9, {});
+    expect_nothing_missed(count, 1e9, {});
+    expect_nothing_missed(count, 1.0, {1e6, -1e6, 1e6});
+  }
+}
+
+TEST(Bvh, HoldsManyEqualBoxes) {
+  const std::vector<Box3d> boxes(1000, Box3d{{0, 0, 0}, {1, 1, 1}});
+  const Bvh bvh(boxes);
+  std::size_t visits = 0;
+  bvh.walk({{0.5, 0.5, -1}, {0, 0, 1}}, infinity, [&](std::uint32_t, double&) {
+    ++visits;
+    return false;
+  });
+  EXPECT_EQ(visits, boxes.size());
+}
+
+TEST(Bvh, EndsWhenAskedAndSkipsWhatLiesBeyond) {
+  std::vector<Box3d> boxes;
+  for (int i = 0; i < 100; ++i) {
+    boxes.push_back({{double(i), 0, 0}, {i + 0.5, 1, 1}});
+  }
+  const Bvh bvh(boxes);
+  const Line line{{-1, 0.5, 0.5}, {1, 0, 0}};
+  int visits = 0;
+  EXPECT_TRUE(bvh.walk(line, infinity, [&](std::uint32_t, double&) { return ++visits == 3; }));
+  EXPECT_EQ(visits, 3);
+  visits = 0;
+  EXPECT_FALSE(bvh.walk(line, infinity, [&](std::uint32_t item, double& t_max) {
+    t_max = std::min(t_max, item + 1.25);
+    ++visits;
+    return false;
+  }));
+  EXPECT_LT(visits, 10);
+}
+
+TEST(Bvh, EmptyMeetsNothing) {
+  EXPECT_FALSE(
+      Bvh().walk({{0, 0, 0}, {1, 0, 0}}, infinity, [](std::uint32_t, double&) { return true; }));
+}
+
+}  // namespace
+}  // namespace lapidary::geometry
