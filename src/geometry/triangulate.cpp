@@ -36,9 +36,9 @@ AreaVector area_vector(std::span<const Vec3d> corners) {
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
     const Vec3d a = corners[i] - corners[0], b = corners[i + 1] - corners[0];
     sum += cross(a, b);
-    magnitude += Vec3d(std::abs(a.y * b.z) + std::abs(a.z * b.y),
-                       std::abs(a.z * b.x) + std::abs(a.x * b.z),
-                       std::abs(a.x * b.y) + std::abs(a.y * b.x));
+    magnitude +=
+        Vec3d(std::abs(a.y * b.z) + std::abs(a.z * b.y), std::abs(a.z * b.x) + std::abs(a.x * b.z),
+              std::abs(a.x * b.y) + std::abs(a.y * b.x));
   }
   const double epsilon = std::numeric_limits<double>::epsilon();
   const double bound = epsilon * static_cast<double>(corners.size()) * max_component(magnitude);

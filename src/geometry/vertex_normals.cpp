@@ -24,7 +24,9 @@ Edges edges_of(std::span<const Vec3f> positions, const TriangleIndices& t) {
 }
 
 // Zero for a triangle of zero area.
-Vec3f unit_normal(const Edges& e) { return to_unit(cross(e.ab, e.bc)); }
+Vec3f unit_normal(const Edges& e) {
+  return to_unit(cross(e.ab, e.bc));
+}
 
 // Angle between the vectors of length la and lb that enclose it, from their dot product.
 float angle(double dot_product, double la_lb) {
