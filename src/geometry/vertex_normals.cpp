@@ -235,7 +235,7 @@ SplitNormals normals_by_crease(std::span<const Vec3f> positions,
   result.normals = std::move(facets.vertex_means);
 
   const auto least_cosine = [](double degrees) {
-    return static_cast<float>(std::cos(std::min(degrees, 180.0) * (pi / 180)));
+    return static_cast<float>(std::cos(radians(std::min(degrees, 180.0))));
   };
   const float near_mean = least_cosine(crease / 2);
   std::vector<std::uint8_t> creased(positions.size());
