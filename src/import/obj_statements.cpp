@@ -1,12 +1,12 @@
 #include "import/obj_statements.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <span>
 #include <unordered_map>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "geometry/triangulate.h"
 #include "import/line_cursor.h"
@@ -145,7 +145,7 @@ void ObjParser::rare_statement(std::string_view keyword) {
       "trim", "hole",   "scrv", "sp",   "end",  "con",  "call",  "csh"};
   // How other programs draw what is there; nothing is lost without.
   static constexpr std::array<std::string_view, 11> attributes{
-      "mg",         "bevel",     "c_interp", "d_interp", "lod",   "shadow_obj",
+      "mg",        "bevel", "c_interp", "d_interp", "lod",   "shadow_obj",
       "trace_obj", "ctech", "stech",    "maplib",   "usemap"};
   if (keyword == "usemtl") return use_material();
   if (keyword == "g" || keyword == "o") return group();
@@ -345,7 +345,8 @@ void ObjParser::finish() {
 }
 
 // Some exporters write v/vt/vn corners into files without any vt or vn: nothing is lost then.
-void ObjParser::drop(References& references, std::vector<ObjStatements::Triangle>& triangles) const {
+void ObjParser::drop(References& references,
+                     std::vector<ObjStatements::Triangle>& triangles) const {
   if (references.line == 0) return;
   warn(references.line, fmt::format("faces refer to {0} indices, but there is no {0} in the file",
                                     references.keyword));
