@@ -3,6 +3,7 @@
 #include "geometry/plane_crossing.h"
 #include "geometry/rounded_bounds.h"
 #include "math/frame.h"
+#include "sampling/warp.h"
 
 namespace lapidary::geometry {
 namespace {
@@ -202,15 +203,16 @@ BoundaryPoint sample_boundary(const Cylinder& cylinder, Vec2d u, double u_patch)
   const double height = length(a), r = cylinder.radius;
   const Frame frame = Frame::from_normal(a / height);
   const double pdf = 1.0 / area(cylinder);
-  const double phi = 2.0 * pi * u.x;
-  const Vec3d radial = frame.tangent * std::cos(phi) + frame.bitangent * std::sin(phi);
   const double cap_share = 0.5 * r / (r + height);
   if (u_patch < cap_share || u_patch >= 1.0 - cap_share) {
     const Patch patch = u_patch < cap_share ? 1 : 2;
     const Vec3d center = patch == 1 ? cylinder.from : cylinder.to;
-    return {center + radial * (r * std::sqrt(u.y)), patch == 1 ? -frame.normal : frame.normal,
-            patch, pdf};
+    const Vec2d d = sample_uniform_disk(u);
+    return {center + (frame.tangent * d.x + frame.bitangent * d.y) * r,
+            patch == 1 ? -frame.normal : frame.normal, patch, pdf};
   }
+  const double phi = 2.0 * pi * u.x;
+  const Vec3d radial = frame.tangent * std::cos(phi) + frame.bitangent * std::sin(phi);
   return {cylinder.from + a * u.y + radial * r, radial, 0, pdf};
 }
 
