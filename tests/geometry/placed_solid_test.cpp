@@ -150,7 +150,8 @@ TEST(PlacedSolid, SamePlaneThroughTwoTransformsIsOneGroup) {
   EventBuffer a, b;
   for (int i = 0; i < 20000; ++i) {
     // The plane z = 1, tilted: once as a half-space, once as a box's top.
-    const Transform map = translation(random) * rotation(random);
+    const Transform turn = rotation(random);
+    const Transform map = translation(random) * turn;
     const PlacedSolid plane(HalfSpace{{0, 0, 1}, {0, 0, 1}}, map);
     const PlacedSolid box(Box{{-1, -1, 0}, {1, 1, 0.5}}, map * Transform::scaling({1, 1, 2}));
     const Vec3d target{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), 1};
