@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 
 #include <fmt/format.h>
@@ -30,24 +31,42 @@ Budget::Budget(const Limits& limits)
 void* Budget::allocate(void* budget, void* block, std::size_t old_size, std::size_t new_size) {
   auto& self = *static_cast<Budget*>(budget);
   // For a new block, Lua says in place of its size what it is for.
+  const bool is_string = !block && old_size == LUA_TSTRING;
   const std::size_t held = block ? old_size : 0;
-  if (new_size == 0) {
-    std::free(block);
-    self.memory_ -= held;
+  if (new_size > held && !self.admits(new_size, new_size - held, is_string)) {
+    self.note_refusal();
     return nullptr;
   }
-  if (new_size > held) {
-    const std::size_t more = new_size - held;
-    self.steps_left_ -= static_cast<std::int64_t>(more / bytes_per_step);
-    const bool long_string =
-        !block && old_size == LUA_TSTRING && new_size > self.limits_.string_bytes + 64;
-    if (self.exhausted() || long_string || self.memory_ + more > self.limits_.memory) {
-      self.note_refusal();
-      return nullptr;
-    }
+  void* moved = self.reallocate(block, held, new_size);
+  if (moved || new_size == 0) self.memory_ += new_size - held;
+  return moved;
+}
+
+bool Budget::admits(std::size_t size, std::size_t more, bool is_string) {
+  constexpr std::size_t header = 64;  // more than what a string needs besides its text
+  steps_left_ -= static_cast<std::int64_t>(more / bytes_per_step);
+  return !exhausted() && memory_ + more <= limits_.memory &&
+         !(is_string && size > limits_.string_bytes + header);
+}
+
+void* Budget::reallocate(void* block, std::size_t held, std::size_t size) noexcept {
+  const bool was_small = held > 0 && held <= BlockPool::largest;
+  const bool is_small = size > 0 && size <= BlockPool::largest;
+  if (!was_small && !is_small) {
+    if (size > 0) return std::realloc(block, size);
+    std::free(block);
+    return nullptr;
   }
-  void* moved = std::realloc(block, new_size);
-  if (moved) self.memory_ += new_size - held;
+  if (was_small && is_small && BlockPool::same_class(held, size)) return block;
+  void* moved = size == 0 ? nullptr : is_small ? pool_.take(size) : std::malloc(size);
+  // Lua counts on blocks that shrink; one kept too large is harmless in a smaller class.
+  if (size > 0 && !moved) return size <= held ? block : nullptr;
+  if (moved && held > 0) std::memcpy(moved, block, std::min(held, size));
+  if (was_small) {
+    pool_.give_back(block, held);
+  } else {
+    std::free(block);
+  }
   return moved;
 }
 

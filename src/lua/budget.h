@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "base/error.h"
+#include "lua/block_pool.h"
 #include "lua/limits.h"
 #include "lua/lua_api.h"
 
@@ -46,8 +47,13 @@ class Budget {
 
  private:
   static void on_count(lua_State* L, lua_Debug* ar);
+  /// Pays for `more` bytes of a block of `size`; whether they fit.
+  bool admits(std::size_t size, std::size_t more, bool is_string);
+  /// As std::realloc, with 0 to free; `held` is the size of `block`, 0 for none.
+  void* reallocate(void* block, std::size_t held, std::size_t size) noexcept;
   void note_refusal();
 
+  BlockPool pool_;
   Limits limits_;
   std::int64_t steps_left_;
   std::size_t memory_ = 0;
