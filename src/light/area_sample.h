@@ -15,7 +15,7 @@ struct SurfacePoint {
   double pdf_area = 0;
 };
 
-/// What `p` gets from the drawn point; nothing from behind.
+/// What `p` gets from the drawn point; nothing from behind or edge-on.
 inline std::optional<LightSample> illumination_from(const SurfacePoint& from, Vec3d p,
                                                     const Spectrum& radiance,
                                                     const Wavelengths& wavelengths) {
@@ -23,9 +23,11 @@ inline std::optional<LightSample> illumination_from(const SurfacePoint& from, Ve
   const double distance2 = length_squared(to_light);
   const double distance = std::sqrt(distance2);
   const double facing = -dot(from.normal, to_light);
-  if (!(facing > 0.0 && from.pdf_area > 0.0)) return {};
-  return LightSample{to_light * (1.0 / distance), distance, radiance.at(wavelengths),
-                     solid_angle_pdf(from.pdf_area, distance2, facing / distance)};
+  if (!(facing > 0.0 && distance2 > 0.0)) return {};
+  const double pdf = solid_angle_pdf(from.pdf_area, distance2, facing / distance);
+  // Within underflow of the light's plane the density leaves the range of numbers.
+  if (!(pdf > 0.0 && std::isfinite(pdf))) return {};
+  return LightSample{to_light * (1.0 / distance), distance, radiance.at(wavelengths), pdf};
 }
 
 /// The density of the same for a ray from `p` along `wi` that met `hit`.

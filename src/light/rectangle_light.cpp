@@ -54,6 +54,7 @@ std::optional<LightSample> RectangleLight::sample_illumination(
   const Vec3d to_light =
       (corner_ - p) + place.x / length_u_ * edge_u_ + place.y / length_v_ * edge_v_;
   const double distance = length(to_light);
+  if (!(distance > 0.0)) return {};
   return LightSample{to_light * (1.0 / distance), distance, radiance_.at(wavelengths),
                      1.0 / solid_angle};
 }
