@@ -1,6 +1,7 @@
 #include "import/obj_statements.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <span>
 #include <unordered_map>
@@ -312,16 +313,17 @@ void ObjParser::use_material() {
 
 void ObjParser::smoothing() {
   cursor_.skip_blanks();
-  out_.states_smoothing = true;
-  std::int64_t number = 0;
-  if (cursor_.integer(number) && cursor_.at_boundary() && number >= 0 && number < none) {
-    return change(out_.smoothing_changes, next_triangle(), static_cast<std::uint32_t>(number));
-  }
+  const Location where = cursor_.here();
   const std::string_view word = cursor_.word();
-  if (word != "off" && word != "on" && !word.empty()) {
-    cursor_.fail("smoothing group is not a number", "write s 1, s 2, ... or s off");
+  std::uint32_t number = word == "on" ? 1 : 0;
+  if (word != "on" && word != "off" && !word.empty()) {
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc() || end != word.data() + word.size()) {
+      throw Error(where, "smoothing group is not a number", "write s 1, s 2, ... or s off");
+    }
   }
-  change(out_.smoothing_changes, next_triangle(), word == "on" ? 1 : 0);
+  out_.states_smoothing = true;
+  change(out_.smoothing_changes, next_triangle(), number);
 }
 
 void ObjParser::group() {
