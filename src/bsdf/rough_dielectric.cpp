@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "sampling/warp.h"
-
 // Both sides look alike to the facets: below the surface everything is mirrored in it, so that
 // wo.z > 0 throughout, and `eta` is the index beyond over the index on wo's side.
 namespace lapidary::bsdf {
@@ -49,6 +47,7 @@ struct RoughDielectric::View {
 RoughDielectric::RoughDielectric(const RelativeIndex& index, double alpha)
     : index_(index),
       facets_{alpha},
+      lobe_(alpha),
       above_{GlassAlbedo(alpha, index.hero(1.0))},
       below_{GlassAlbedo(alpha, index.hero(-1.0))} {
   const double eta = index.hero(1.0);
@@ -60,6 +59,13 @@ RoughDielectric::RoughDielectric(const RelativeIndex& index, double alpha)
   }
 }
 
+// What is lost on the way from wo comes out to a side in proportion to what would be lost the other
+// way, as reciprocity asks.
+double RoughDielectric::spread(double lost, const Loss& side, double cosine) {
+  const double average = side.average();
+  return average > 0.0 ? lost * side.at(cosine) / average * cosine * inv_pi : 0.0;
+}
+
 BsdfValue RoughDielectric::reflected(const View& view, Vec3d wi) const {
   const Vec3d h = normalize(view.wo + wi);
   const RelativeIndex::Split split = index_.split(std::min(dot(view.wo, h), 1.0), view.side);
@@ -68,21 +74,17 @@ BsdfValue RoughDielectric::reflected(const View& view, Vec3d wi) const {
   const double pdf_narrow =
       split.chance_to_reflect * 0.5 * density / (view.wo.z + facets_.slant(view.wo));
 
-  const double cosine = pdf_cosine_hemisphere(wi.z);
   const double kept = 1.0 - view.near.refracted_share;
-  const double wide =
-      view.lost > 0.0 ? kept * view.lost * view.near.at(wi.z) / view.near.average() * cosine : 0.0;
+  const double wide = kept * spread(view.lost, view.near, wi.z);
   return {
       split.reflectance * static_cast<float>(narrow) + SampledSpectrum(static_cast<float>(wide)),
-      between(pdf_narrow, kept * cosine, view.lost)};
+      between(pdf_narrow, kept * lobe_.pdf(wi.z), view.lost)};
 }
 
 BsdfValue RoughDielectric::refracted(const View& view, Vec3d wi, Mode mode) const {
-  const double cosine = pdf_cosine_hemisphere(-wi.z);
   const double passed = view.near.refracted_share;
-  double f_cos =
-      passed > 0.0 ? passed * view.lost * view.far.at(-wi.z) / view.far.average() * cosine : 0.0;
-  double pdf = view.lost * passed * cosine;
+  double f_cos = passed * spread(view.lost, view.far, -wi.z);
+  double pdf = passed * view.lost * lobe_.pdf(-wi.z);
 
   const Vec3d sum = view.wo + view.eta * wi;  // along h, or against it when eta < 1
   const Vec3d h = sum * (std::copysign(1.0, sum.z) / std::max(length(sum), 1e-300));
@@ -129,7 +131,7 @@ std::optional<BsdfSample> RoughDielectric::sample(Vec3d wo, double u_lobe, Vec2d
   std::optional<Vec3d> wi;
   if (u_lobe < view.lost) {
     const bool passes = u_lobe < view.lost * near.refracted_share;
-    wi = mirrored(sample_cosine_hemisphere(u), passes ? -1.0 : 1.0);
+    wi = mirrored(lobe_.sample(u), passes ? -1.0 : 1.0);
   } else {
     wi = sample_facet(view, (u_lobe - view.lost) / (1.0 - view.lost), u);
   }

@@ -5,6 +5,7 @@
 #include "bsdf/ggx.h"
 #include "bsdf/glass_albedo.h"
 #include "bsdf/smooth_dielectric.h"
+#include "bsdf/wide_lobe.h"
 
 namespace lapidary::bsdf {
 
@@ -36,12 +37,15 @@ class RoughDielectric {
   };
 
   const Loss& loss_from(double z) const { return z > 0.0 ? above_ : below_; }
+  /// f cos of the wide lobe on one side, of a light of which `lost` is lost [1/sr].
+  static double spread(double lost, const Loss& side, double cosine);
   BsdfValue reflected(const View& view, Vec3d wi) const;
   BsdfValue refracted(const View& view, Vec3d wi, Mode mode) const;
   std::optional<Vec3d> sample_facet(const View& view, double u_lobe, Vec2d u) const;
 
   RelativeIndex index_;
   Ggx facets_;
+  WideLobe lobe_;
   Loss above_, below_;
 };
 

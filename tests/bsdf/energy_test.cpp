@@ -15,7 +15,7 @@ using test::direction;
 // Importance, because radiance is not conserved across refraction, only radiance over index
 // squared. On an additive lattice (Roberts 2018), so that 40000 points leave an error of about
 // 1e-3.
-double albedo(const Bsdf& bsdf, Vec3d wo, int samples = 40000) {
+double albedo(const Bsdf& bsdf, Vec3d wo, int samples = 20000) {
   const auto coordinate = [](int i, double step) { return std::fmod(0.5 + i * step, 1.0); };
   double sum = 0.0;
   for (int i = 0; i < samples; ++i) {
