@@ -26,7 +26,7 @@ double alpha_of_row(std::size_t row) {
   return std::max(grid(row) * grid(row), 1e-5);
 }
 
-// The inverse of ggx_albedo_column.
+// The inverse of cosine_coordinate.
 double mu_of_column(double t, double alpha) {
   return t * alpha / (1.0 + alpha - t);
 }

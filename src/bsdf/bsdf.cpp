@@ -36,7 +36,7 @@ Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carri
   const RelativeIndex index(used.above, used.below);
   if (roughness < smallest_roughness || std::abs(index.hero(1.0) - 1.0) < smallest_index_step)
     return SmoothDielectric{index};
-  return RoughDielectric{index, Ggx{alpha_from_roughness(roughness)}};
+  return RoughDielectric(index, alpha_from_roughness(roughness));
 }
 
 Bsdf make_bsdf(const Glass& glass, const RefractiveIndex& outside, const Wavelengths& wavelengths,

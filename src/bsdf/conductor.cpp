@@ -1,9 +1,11 @@
 #include "bsdf/conductor.h"
 
+#include "bsdf/table_lookup.h"
+
 namespace lapidary::bsdf {
 
 Conductor::Conductor(const ConductorFresnel& fresnel, double alpha)
-    : fresnel_(fresnel), facets_{alpha}, albedo_(alpha) {
+    : fresnel_(fresnel), facets_{alpha}, albedo_(alpha), lobe_(alpha) {
   // Kulla & Conty's slides 17 and 18: each further bounce is reflected with the average Fresnel
   // reflectance F, and all bounces after the first sum to F^2 E / (1 - F (1 - E)).
   const auto e = static_cast<float>(albedo_.average());
@@ -25,7 +27,7 @@ BsdfValue Conductor::evaluate_with_pdf(Vec3d wo, Vec3d wi) const {
       fresnel_.at(dot(wo, h)) * static_cast<float>(narrow) + wide_ * static_cast<float>(wide);
   // visible_density / (4 wo.h): the density of h turned into that of wi.
   const double pdf_narrow = 0.5 * density / (wo.z + facets_.slant(wo));
-  const double pdf = std::lerp(pdf_narrow, pdf_cosine_hemisphere(wi.z), lost_o);
+  const double pdf = between(pdf_narrow, lobe_.pdf(wi.z), lost_o);
   return {f_cos, pdf};
 }
 
@@ -34,7 +36,7 @@ std::optional<BsdfSample> Conductor::sample(Vec3d wo, double u_lobe, Vec2d u) co
   const double lost_o = 1.0 - albedo_.at(wo.z);
   Vec3d wi;
   if (u_lobe < lost_o) {
-    wi = sample_cosine_hemisphere(u);
+    wi = lobe_.sample(u);
   } else {
     const Vec3d h = facets_.sample_visible(wo, u);
     wi = normalize(2.0 * dot(wo, h) * h - wo);

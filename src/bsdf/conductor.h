@@ -6,6 +6,7 @@
 #include "bsdf/ggx.h"
 #include "bsdf/ggx_albedo.h"
 #include "bsdf/scattering.h"
+#include "bsdf/wide_lobe.h"
 
 namespace lapidary::bsdf {
 
@@ -30,6 +31,7 @@ class Conductor {
   ConductorFresnel fresnel_;
   Ggx facets_;
   GgxAlbedo albedo_;
+  WideLobe lobe_;
   SampledSpectrum wide_;  ///< of the wide lobe, over (1 - E(wo)) (1 - E(wi))
 };
 

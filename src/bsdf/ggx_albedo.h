@@ -26,9 +26,7 @@ class GgxAlbedo {
   double average_;
 };
 
-/// Rows of the table are spaced evenly in sqrt(alpha) from 0 to 1, columns in
-/// t = mu (1 + alpha) / (mu + alpha), again from 0 to 1: for small alpha the albedo is a function
-/// of mu / alpha alone, so that in t all rows are equally smooth.
+/// Rows follow `roughness_coordinate`, columns `cosine_coordinate`, evenly from 0 to 1.
 inline constexpr std::size_t ggx_albedo_size = 32;
 using GgxAlbedoTable = std::array<std::array<float, ggx_albedo_size>, ggx_albedo_size>;
 extern const GgxAlbedoTable ggx_albedo_table;

@@ -3,24 +3,59 @@
 #include <optional>
 
 #include "bsdf/ggx.h"
+#include "bsdf/glass_albedo.h"
 #include "bsdf/smooth_dielectric.h"
+#include "bsdf/wide_lobe.h"
 
 namespace lapidary::bsdf {
 
-/// The rough boundary of two transparent media: GGX facets that reflect and refract. Where the
-/// index disperses, refraction belongs to the hero wavelength: in values as in samples.
-///
-/// Light that would meet more than one facet is lost: at most 2 % up to alpha = 0.09 (roughness
-/// 0.3) off grazing, 8 % up to 0.16, a third and more from 0.5 on.
-/// Source: Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces".
-struct RoughDielectric {
-  RelativeIndex index;
-  Ggx facets;
+/// The rough boundary of two transparent media: GGX facets that reflect and refract (Walter et al.
+/// 2007, "Microfacet Models for Refraction through Rough Surfaces"), and wide lobes on both sides
+/// for light that meets more than one facet, so that nothing is lost at any roughness (within
+/// 0.01). Where the index disperses, what is refracted belongs to the hero wavelength, in values as
+/// in samples. Reciprocal up to the square of the index (Veach 1997, equation 5.14).
+class RoughDielectric {
+ public:
+  /// `alpha` in (0, 1].
+  RoughDielectric(const RelativeIndex& index, double alpha);
+
+  const RelativeIndex& index() const { return index_; }
+
+  BsdfValue evaluate_with_pdf(Vec3d wo, Vec3d wi, Mode mode) const;
+  std::optional<BsdfSample> sample(Vec3d wo, double u_lobe, Vec2d u, Mode mode) const;
+
+ private:
+  struct View;
+  /// What light from one side loses at its first facet, and where it goes. Source: after Kulla &
+  /// Conty 2017, "Revisiting Physically Based Shading at Imageworks".
+  struct Loss {
+    GlassAlbedo albedo;
+    double refracted_share = 0;  ///< of the light that is lost, what leaves beyond the surface
+
+    double at(double mu) const { return 1.0 - albedo.at(mu); }
+    double average() const { return 1.0 - albedo.average(); }
+  };
+
+  const Loss& loss_from(double z) const { return z > 0.0 ? above_ : below_; }
+  /// f cos of the wide lobe on one side, of a light of which `lost` is lost [1/sr].
+  static double spread(double lost, const Loss& side, double cosine);
+  BsdfValue reflected(const View& view, Vec3d wi) const;
+  BsdfValue refracted(const View& view, Vec3d wi, Mode mode) const;
+  std::optional<Vec3d> sample_facet(const View& view, double u_lobe, Vec2d u) const;
+
+  RelativeIndex index_;
+  Ggx facets_;
+  WideLobe lobe_;
+  Loss above_, below_;
 };
 
-BsdfValue evaluate_with_pdf(const RoughDielectric& bsdf, Vec3d wo, Vec3d wi, Mode mode);
+inline BsdfValue evaluate_with_pdf(const RoughDielectric& bsdf, Vec3d wo, Vec3d wi, Mode mode) {
+  return bsdf.evaluate_with_pdf(wo, wi, mode);
+}
 
-std::optional<BsdfSample> sample(const RoughDielectric& bsdf, Vec3d wo, double u_lobe, Vec2d u,
-                                 Mode mode);
+inline std::optional<BsdfSample> sample(const RoughDielectric& bsdf, Vec3d wo, double u_lobe,
+                                        Vec2d u, Mode mode) {
+  return bsdf.sample(wo, u_lobe, u, mode);
+}
 
 }  // namespace lapidary::bsdf

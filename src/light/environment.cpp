@@ -159,7 +159,8 @@ std::optional<LightSample> ImageEnvironment::sample_illumination(
   const double cosine =
       tables.edge_cosines[row] - std::clamp(within_row, 0.0, 1.0) * tables.row_cosines(row);
   const Vec3d wi = tables.direction_at(place.x, cosine);
-  return LightSample{wi, infinity, wavelengths.illuminant(color_towards(wi)),
+  const Rgb color = tables.interpolated({place.x, std::acos(cosine) * inv_pi});
+  return LightSample{wi, infinity, wavelengths.illuminant(color),
                      density * tables.density_scale(row)};
 }
 

@@ -8,8 +8,9 @@
 namespace lapidary::light {
 namespace {
 
-// Below this solid angle, density over area and density over solid angle are alike.
-constexpr double smallest_solid_angle = 0.01;
+// Below this solid angle [sr], density over area and over solid angle are alike: from a point under
+// the light the weights differ by a few per cent.
+constexpr double smallest_solid_angle = 0.2;
 
 }  // namespace
 
@@ -21,17 +22,17 @@ RectangleLight::RectangleLight(const geometry::Rectangle& rectangle, Spectrum ra
       length_v_(length(edge_v_)),
       normal_(geometry::front_normal(rectangle)),
       area_(geometry::area(rectangle)),
+      center_(corner_ + 0.5 * (edge_u_ + edge_v_)),
       radiance_(std::move(radiance)) {
   const double cosine = dot(edge_u_, edge_v_) / (length_u_ * length_v_);
-  corners_ = std::abs(cosine) < 1e-12 ? Corners::right : Corners::oblique;
+  // The solid angle is at most the area over the squared distance to a ball around the light.
+  const double far =
+      0.5 * std::hypot(length_u_, length_v_) + std::sqrt(area_ / smallest_solid_angle);
+  near_squared_ = std::abs(cosine) < 1e-12 ? far * far : 0.0;
 }
 
-// A bound that costs less than the solid angle: the area over the squared distance of a ball.
 bool RectangleLight::sampled_by_solid_angle(Vec3d p) const {
-  if (corners_ == Corners::oblique) return false;
-  const double half_diagonal = 0.5 * std::hypot(length_u_, length_v_);
-  const double gap = length(corner_ + 0.5 * (edge_u_ + edge_v_) - p) - half_diagonal;
-  return gap <= 0.0 || area_ > smallest_solid_angle * gap * gap;
+  return length_squared(center_ - p) < near_squared_;
 }
 
 SphericalRectangle RectangleLight::seen_from(Vec3d p) const {

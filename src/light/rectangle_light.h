@@ -10,8 +10,8 @@
 namespace lapidary::light {
 
 /// A flat parallelogram that shines to its front. One with right angles is sampled uniformly over
-/// the solid angle it fills, unless that is so small that it makes no difference; all else
-/// uniformly over the area.
+/// the solid angle it fills, unless that is so small that it makes little difference and costs more
+/// than it gains; all else uniformly over the area.
 class RectangleLight {
  public:
   RectangleLight(const geometry::Rectangle& rectangle, Spectrum radiance);
@@ -23,7 +23,6 @@ class RectangleLight {
   double power(double scene_radius) const;
 
  private:
-  enum class Corners { right, oblique };
   bool sampled_by_solid_angle(Vec3d p) const;
   SphericalRectangle seen_from(Vec3d p) const;
 
@@ -32,7 +31,8 @@ class RectangleLight {
   double length_u_, length_v_;
   Vec3d normal_;
   double area_;
-  Corners corners_;
+  Vec3d center_;
+  double near_squared_;  // squared distance from the centre below which solid angle is sampled
   Spectrum radiance_;
 };
 

@@ -15,7 +15,7 @@ using test::direction;
 // Importance, because radiance is not conserved across refraction, only radiance over index
 // squared. On an additive lattice (Roberts 2018), so that 40000 points leave an error of about
 // 1e-3.
-double albedo(const Bsdf& bsdf, Vec3d wo, int samples = 40000) {
+double albedo(const Bsdf& bsdf, Vec3d wo, int samples = 20000) {
   const auto coordinate = [](int i, double step) { return std::fmod(0.5 + i * step, 1.0); };
   double sum = 0.0;
   for (int i = 0; i < samples; ++i) {
@@ -108,7 +108,7 @@ TEST(Reciprocity, HoldsForGlassWithTheIndexSquared) {
   int lit = 0;
   for (const auto& [name, bsdf] : test::rough_surfaces()) {
     if (!std::holds_alternative<RoughDielectric>(bsdf)) continue;
-    const RelativeIndex& index = std::get<RoughDielectric>(bsdf).index;
+    const RelativeIndex& index = std::get<RoughDielectric>(bsdf).index();
     for (int i = 0; i < 500; ++i) {
       const Vec3d a = random.direction(), b = random.direction();
       const auto ab = evaluate(bsdf, a, b, Mode::radiance) * static_cast<float>(std::abs(a.z));
@@ -126,11 +126,12 @@ TEST(Reciprocity, HoldsForGlassWithTheIndexSquared) {
   EXPECT_GT(lit, 300);
 }
 
-TEST(Energy, OfRoughGlassIsLostAsStated) {
-  for (const double n : {1.33, 1.5, 2.4}) {
-    for (const double view : {1.0, 0.7, -0.7, -1.0}) {
-      EXPECT_GT(albedo(test::glass(n, 0.09), direction(view)), 0.97);
-      EXPECT_GT(albedo(test::glass(n, 0.16), direction(view)), 0.92);
+TEST(Energy, OfAWhiteFurnaceComesBackFromRoughGlass) {
+  for (const double n : {1.2, 1.5, 2.4}) {
+    for (const double alpha : {0.0009, 0.05, 0.2, 0.5, 1.0}) {
+      for (const double view : {1.0, 0.5, 0.1, -0.1, -0.5, -0.9})
+        EXPECT_NEAR(albedo(test::glass(n, alpha), direction(view)), 1.0, 0.01)
+            << n << " " << alpha << " from " << view;
     }
   }
 }

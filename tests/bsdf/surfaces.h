@@ -22,13 +22,13 @@ inline constexpr std::array<double, 4> dispersive_indices{1.5, 1.62, 1.45, 1.56}
 inline Bsdf glass(double n, double alpha) {
   const RelativeIndex index({1, 1, 1, 1}, {n, n, n, n});
   if (alpha == 0.0) return SmoothDielectric{index};
-  return RoughDielectric{index, Ggx{alpha}};
+  return RoughDielectric(index, alpha);
 }
 
 inline Bsdf dispersive_glass(double alpha) {
   const RelativeIndex index({1, 1, 1, 1}, dispersive_indices);
   if (alpha == 0.0) return SmoothDielectric{index};
-  return RoughDielectric{index, Ggx{alpha}};
+  return RoughDielectric(index, alpha);
 }
 
 /// Every kind that is not specular, smooth to rough.
@@ -53,7 +53,7 @@ inline bool transparent(const Bsdf& bsdf) {
 
 inline bool dispersive(const Bsdf& bsdf) {
   const auto* glass = std::get_if<RoughDielectric>(&bsdf);
-  return glass && glass->index.dispersive();
+  return glass && glass->index().dispersive();
 }
 
 inline Vec3d direction(double cos_theta, double phi = 0.7) {
