@@ -9,7 +9,7 @@
 
 #include <fmt/core.h>
 
-#include "import/obj.h"
+#include "import/mesh_file.h"
 #include "lua/load_scene.h"
 #include "render/render.h"
 #include "scene/studio.h"
@@ -53,8 +53,9 @@ description::SceneDescription load_obj(const SceneArguments& arguments, WarningL
   if (!arguments.parameters.empty()) {
     throw UsageError("--set is for scenes; a bare mesh has no parameters");
   }
+  // Read as it is, and turned here, where any axis may be up.
   const description::ObjectPtr mesh =
-      import::read_obj_object(arguments.file, {.warnings = &warnings});
+      import::MeshFiles(&warnings).read(arguments.file, {.up = import::UpAxis::z});
   description::SceneDescription scene;
   scene.objects = {description::moved(*mesh, world_from_mesh(arguments.up))};
   return scene;
