@@ -45,8 +45,8 @@ void* Budget::allocate(void* budget, void* block, std::size_t old_size, std::siz
 bool Budget::admits(std::size_t size, std::size_t more, bool is_string) {
   constexpr std::size_t header = 64;  // more than what a string needs besides its text
   steps_left_ -= static_cast<std::int64_t>(more / bytes_per_step);
-  return !exhausted() && memory_ + more <= limits_.memory &&
-         !(is_string && size > limits_.string_bytes + header);
+  refused_string_ = is_string && size > limits_.string_bytes + header;
+  return !exhausted() && memory_ + more <= limits_.memory && !refused_string_;
 }
 
 void* Budget::reallocate(void* block, std::size_t held, std::size_t size) noexcept {
@@ -109,8 +109,8 @@ void Budget::charge(std::int64_t steps) {
 
 void Budget::check_string(std::size_t bytes) const {
   if (bytes <= limits_.string_bytes) return;
-  throw Error({}, fmt::format("a string of {} bytes is too long", bytes),
-              fmt::format("the limit is {}", limits_.string_bytes));
+  throw Error({}, fmt::format("a string is longer than {} bytes", limits_.string_bytes),
+              "does a loop make more than it should?");
 }
 
 bool Budget::take_memory(std::size_t bytes) {
@@ -131,11 +131,15 @@ Error Budget::exhausted_error(Location where) const {
 }
 
 Error Budget::memory_error(Location where) const {
-  return Error(std::move(where),
-               fmt::format("the scene needs more than {} MB of memory, or a string of more than {} "
-                           "MB, while it is read",
-                           limits_.memory >> 20, limits_.string_bytes >> 20),
-               "does a loop make more than it should?");
+  if (refused_string_) {
+    return Error(std::move(where),
+                 fmt::format("a string is longer than {} bytes", limits_.string_bytes),
+                 "does a loop make more than it should?");
+  }
+  return Error(
+      std::move(where),
+      fmt::format("the scene needs more than {} MB of memory to read", limits_.memory >> 20),
+      "does a loop make more than it should?");
 }
 
 }  // namespace lapidary::lua

@@ -61,6 +61,7 @@ class Budget {
   bool out_of_time_ = false;
   lua_State* main_ = nullptr;
   lua_Debug refused_{};
+  bool refused_string_ = false;  ///< the last refusal was of a string, whatever memory is left
 };
 
 }  // namespace lapidary::lua

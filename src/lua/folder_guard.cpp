@@ -11,15 +11,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Absolute, with links and ".." followed; empty when it cannot be known.
 fs::path real_path(const fs::path& path) {
   std::error_code problem;
-  const fs::path absolute = fs::absolute(path, problem);
-  fs::path found = fs::weakly_canonical(absolute, problem);
+  const fs::path absolute = fs::absolute(path.empty() ? "." : path, problem);
+  if (problem) return {};
+  const fs::path found = fs::weakly_canonical(absolute, problem);
+  if (problem) return {};
   // "folder/" and "folder" are the same place.
   return found.has_filename() ? found : found.parent_path();
 }
 
 bool within(const fs::path& path, const fs::path& root) {
+  if (path.empty() || root.empty()) return false;
   const auto [root_end, path_at] =
       std::mismatch(root.begin(), root.end(), path.begin(), path.end());
   return root_end == root.end();

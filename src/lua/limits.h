@@ -9,11 +9,11 @@ namespace lapidary::lua {
 /// enough for endless loops.
 struct Limits {
   /// Instructions of the interpreter; work in library functions is counted in the same coin.
-  std::int64_t steps = 1'000'000'000;
+  std::int64_t steps = 500'000'000;
   std::size_t memory = std::size_t{2} << 30;         ///< bytes, of tables and nodes together
   std::size_t string_bytes = std::size_t{16} << 20;  ///< of one string
   /// Seconds of processor time: a backstop for what `steps` weighs too lightly.
-  double seconds = 300;
+  double seconds = 120;
 };
 
 }  // namespace lapidary::lua

@@ -7,7 +7,9 @@
 namespace lapidary::schema {
 
 void fail_type(std::string_view wanted, const Value& value, const Context& context) {
-  context.fail(fmt::format("must be {}, not {}", wanted, value.describe()));
+  const bool uncalled = value.kind() == ValueKind::other && value.describe() == "a function";
+  context.fail(fmt::format("must be {}, not {}", wanted, value.describe()),
+               uncalled ? "call it: name { ... }" : "");
 }
 
 double Reader<double>::read(const Value& value, const Context& context) {

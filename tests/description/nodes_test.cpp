@@ -1,0 +1,164 @@
+#include "description/nodes.h"
+
+#include <cmath>
+#include <set>
+
+#include <gmock/gmock.h>
+
+#include "construct.h"
+
+namespace lapidary::description {
+namespace {
+
+using testing::HasSubstr;
+
+class NodeTest : public testing::Test {
+ protected:
+  template <typename T>
+  T solid(std::string_view name, std::string_view literal) {
+    return std::get<T>(std::get<geometry::Solid>(make_.object(name, literal)->content));
+  }
+  Constructor make_;
+};
+
+TEST_F(NodeTest, EveryParameterIsDocumented) {
+  std::set<std::string> names;
+  for (const schema::NodeKind& kind : node_kinds()) {
+    EXPECT_TRUE(names.insert(kind.info.name).second) << kind.info.name << " is declared twice";
+    EXPECT_TRUE(kind.info.doc.ends_with('.')) << kind.info.name;
+    EXPECT_FALSE(kind.info.section.empty()) << kind.info.name;
+    std::set<std::string> parameters;
+    for (const auto& p : kind.info.parameters) {
+      EXPECT_TRUE(parameters.insert(p.name).second) << kind.info.name << "." << p.name;
+      EXPECT_TRUE(p.doc.ends_with('.')) << kind.info.name << "." << p.name;
+    }
+  }
+}
+
+TEST_F(NodeTest, ShapesMeanWhatTheySay) {
+  const auto ball = solid<geometry::Sphere>("sphere", "{center = {1, 2, 3}, radius = 4}");
+  EXPECT_EQ(ball.center, Vec3d(1, 2, 3));
+  EXPECT_EQ(ball.radius, 4);
+  const auto box = solid<geometry::Box>("box", "{size = {2, 4, 6}, center = {1, 0, 0}}");
+  EXPECT_EQ(box.min, Vec3d(0, -2, -3));
+  EXPECT_EQ(box.max, Vec3d(2, 2, 3));
+  const auto corners = solid<geometry::Box>("box", "{min = {0, 0, 0}, max = {1, 2, 3}}");
+  EXPECT_EQ(corners.max, Vec3d(1, 2, 3));
+  EXPECT_EQ(solid<geometry::HalfSpace>("plane", "{}").normal, Vec3d(0, 0, 1));
+  EXPECT_EQ(solid<geometry::Cylinder>("cylinder", "{to = {1, 0, 0}}").to, Vec3d(1, 0, 0));
+}
+
+TEST_F(NodeTest, ShapesWithoutExtentAreRefused) {
+  EXPECT_THAT(make_.error_of("sphere", "{radius = 0}"), HasSubstr("must be greater than 0, not 0"));
+  EXPECT_THAT(make_.error_of("cylinder", "{from = {1, 1, 1}, to = {1, 1, 1}}"),
+              HasSubstr("to of cylinder must differ from 'from'"));
+  EXPECT_THAT(make_.error_of("plane", "{normal = {0, 0, 0}}"),
+              HasSubstr("normal of plane must not be zero"));
+  EXPECT_THAT(make_.error_of("box", "{min = {0, 0, 0}, max = {1, 0, 1}}"),
+              HasSubstr("leaves the box no extent along y"));
+  EXPECT_THAT(make_.error_of("box", "{size = {1, 1, 1e-30}, center = {0, 0, 1}}"),
+              HasSubstr("size of box leaves the box no extent along z"));
+  EXPECT_THAT(make_.error_of("box", "{size = {1, -1, 1}}"), HasSubstr("size.y of box"));
+  EXPECT_THAT(make_.error_of("box", "{}"), HasSubstr("needs either 'min' and 'max', or 'size'"));
+  EXPECT_THAT(make_.error_of("box", "{size = {1, 1, 1}, min = {0, 0, 0}}"),
+              HasSubstr("needs either"));
+  EXPECT_THAT(make_.error_of("rectangle", "{size = 0}"), HasSubstr("greater than 0"));
+  EXPECT_THAT(make_.error_of("rectangle", "{corner = {0,0,0}, edge_u = {1,0,0}, edge_v = {2,0,0}}"),
+              HasSubstr("parallel to 'edge_u'"));
+  EXPECT_THAT(make_.error_of("disk", "{center = {1, 1, 1}, at = {1, 1, 1}}"),
+              HasSubstr("at of disk must differ from 'center'"));
+}
+
+TEST_F(NodeTest, RectanglesFaceWhereTheyAreTold) {
+  for (const char* normal :
+       {"{1, 2, 3}", "{0, 0, -1}", "{0, 0, 1}", "{-1, 0, 0}", "{0, 1e-12, 1}"}) {
+    const auto object =
+        make_.object("rectangle", std::string("{size = {3, 2}, normal = ") + normal + "}");
+    const auto& r = std::get<geometry::Rectangle>(std::get<geometry::Sheet>(object->content));
+    const auto n = make_.object("plane", std::string("{normal = ") + normal + "}");
+    const Vec3d wanted =
+        normalize(std::get<geometry::HalfSpace>(std::get<geometry::Solid>(n->content)).normal);
+    EXPECT_LT(length(normalize(cross(r.edge_u, r.edge_v)) - wanted), 1e-9) << normal;
+    EXPECT_NEAR(length(r.edge_u), 3, 1e-12);
+    EXPECT_NEAR(length(r.edge_v), 2, 1e-12);
+    EXPECT_LT(length(r.corner + (r.edge_u + r.edge_v) * 0.5), 1e-12);
+  }
+}
+
+TEST_F(NodeTest, GlassByNameOrIndex) {
+  EXPECT_TRUE((make_.model<Glass, Material>("glass", "'N-BK7'").index.dispersive()));
+  EXPECT_EQ((make_.model<Glass, Material>("glass", "1.7").index.at(500.0)), 1.7);
+  EXPECT_EQ((make_.model<Glass, Material>("glass", "{}").index.at(500.0)), 1.5);
+  const auto frosted = make_.model<Glass, Material>("glass", "{'diamond', roughness = 0.3}");
+  EXPECT_EQ(frosted.roughness, 0.3);
+  EXPECT_GT(frosted.index.at(500.0), 2.3);
+  EXPECT_THAT(make_.error_of("glass", "'N-BK8'"), HasSubstr("did you mean 'N-BK7'?"));
+  EXPECT_THAT(make_.error_of("glass", "'treacle'"), HasSubstr("known are "));
+  EXPECT_THAT(make_.error_of("glass", "0"), HasSubstr("must be from 1 to 10"));
+}
+
+TEST_F(NodeTest, MetalByNameOrColor) {
+  using Surface = std::variant<ConductorIndex, Spectrum>;
+  const auto gold = make_.model<Metal, Material>("metal", "'gold'");
+  EXPECT_TRUE(std::holds_alternative<ConductorIndex>(gold.surface));
+  const Surface pink = make_.model<Metal, Material>("metal", "{color = 'pink'}").surface;
+  EXPECT_TRUE(std::holds_alternative<Spectrum>(pink));
+  EXPECT_THAT(make_.error_of("metal", "'gld'"), HasSubstr("did you mean 'gold'?"));
+  EXPECT_THAT(make_.error_of("metal", "{'gold', color = 'pink'}"), HasSubstr("takes one of"));
+  EXPECT_THAT(make_.error_of("metal", "{roughness = 2}"), HasSubstr("from 0 to 1"));
+}
+
+TEST_F(NodeTest, CamerasCheckTheirView) {
+  const auto camera = make_.model<Perspective, Camera>(
+      "perspective",
+      "{from = {0, -4, 0}, at = {0, 0, 0}, fov = 30, fov_axis = 'x', focus = {1, 2, 3}}");
+  EXPECT_EQ(camera.view.from, Vec3d(0, -4, 0));
+  EXPECT_EQ(camera.fov_axis, FovAxis::x);
+  EXPECT_EQ(camera.focus_distance, 6);
+  EXPECT_FALSE((make_.model<Perspective, Camera>("perspective", "{}").focus_distance));
+  EXPECT_EQ((make_.model<Perspective, Camera>("perspective", "{focus = 3}").focus_distance), 3);
+  EXPECT_EQ((make_.model<Orthographic, Camera>("orthographic", "{size = 7}").size), 7);
+
+  EXPECT_THAT(make_.error_of("perspective", "{from = {1, 1, 1}, at = {1, 1, 1}}"),
+              HasSubstr("at of perspective must differ from 'from'"));
+  EXPECT_THAT(make_.error_of("perspective", "{from = {0, 0, 5}, at = {0, 0, 0}}"),
+              HasSubstr("up of perspective must not be parallel to the view"));
+  EXPECT_THAT(make_.error_of("perspective", "{up = {0, 0, 0}}"), HasSubstr("must not be zero"));
+  EXPECT_THAT(make_.error_of("perspective", "{fov = 180}"),
+              HasSubstr("must be greater than 0 and less than 180"));
+  EXPECT_THAT(make_.error_of("perspective", "{focus = {0, -50, 0}}"),
+              HasSubstr("focus of perspective is a point behind the camera"));
+  EXPECT_THAT(make_.error_of("perspective", "{focus = 0}"), HasSubstr("greater than 0"));
+}
+
+TEST_F(NodeTest, ScenesSortTheirParts) {
+  const schema::Node ball = make_.node("sphere", "{}");
+  const schema::Node lamp = make_.node("sphere_light", "{power = 1}");
+  const schema::Node point = make_.node("point_light", "{power = 1}");
+  const schema::Value inner[] = {schema::Value(ball)};
+  const schema::Value nested[] = {schema::Value(ball), make_.arena().table(inner, {})};
+  const schema::Value lights[] = {schema::Value(lamp), schema::Value(point)};
+  const schema::Field fields[] = {{"lights", make_.arena().table(lights, {})},
+                                  {"objects", make_.arena().table(nested, {})},
+                                  {"unit", schema::Value(std::string_view("mm"))}};
+  const auto scene = make_.node("scene", make_.arena().table({}, fields)).as<SceneDescription>();
+  ASSERT_TRUE(scene);
+  EXPECT_EQ(scene->objects.size(), 3u);
+  EXPECT_EQ(scene->lights.size(), 1u);
+  EXPECT_EQ(scene->metres_per_unit, 1e-3);
+  EXPECT_FALSE(scene->camera);
+  EXPECT_TRUE(has_light(*scene));
+  EXPECT_EQ(scene->where.location().line, 7);
+  EXPECT_FALSE(has_light(*make_.make<SceneDescription>("scene", "{}")));
+
+  const schema::Field dark[] = {{"lights", schema::Value(ball)}};
+  EXPECT_THAT(Constructor::message_of([&] { make_.node("scene", make_.arena().table({}, dark)); }),
+              HasSubstr("lights of scene is a sphere that gives no light"));
+  EXPECT_THAT(make_.error_of("scene", "{unit = 'furlong'}"), HasSubstr("must be one of m, dm, cm"));
+  EXPECT_THAT(make_.error_of("scene", "{objects = {1}}"),
+              HasSubstr("objects[1] of scene must be an object, not 1"));
+  EXPECT_THAT(make_.error_of("scene", "{camera = 1}"), HasSubstr("must be a camera, not 1"));
+}
+
+}  // namespace
+}  // namespace lapidary::description
