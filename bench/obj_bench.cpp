@@ -1,11 +1,12 @@
-// How long it takes to read an OBJ file of a million triangles on one core, and the memory it takes.
-
-#include <sys/resource.h>
+// How long it takes to read an OBJ file of a million triangles on one core, and the memory it
+// takes.
 
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+
+#include <sys/resource.h>
 
 #include "import/obj.h"
 #include "report.h"

@@ -1,11 +1,14 @@
 // What random numbers and warps cost.
 
 #include <cstdint>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
 #include "sampling/distribution.h"
+#include "sampling/filter.h"
 #include "sampling/sobol.h"
+#include "sampling/spherical_rectangle.h"
 #include "sampling/warp.h"
 
 namespace lapidary {
@@ -72,10 +75,12 @@ void warp_cone(benchmark::State& state) {
 }
 BENCHMARK(warp_cone);
 
-void environment_2048x1024(benchmark::State& state) {
-  std::vector<double> image(2048U * 1024U);
+// An image of noise: nothing stays in the cache by being likely.
+void image_distribution(benchmark::State& state) {
+  const auto width = static_cast<std::size_t>(state.range(0));
+  std::vector<double> image(width * width / 2);
   for (std::size_t i = 0; i < image.size(); ++i) image[i] = static_cast<double>(i * 7919 % 1000);
-  const PiecewiseConstant2D distribution(image, 2048);
+  const PiecewiseConstant2D distribution(image, width);
   const PixelSampler sampler(1, 0, 0, 0);
   std::uint32_t k = 0;
   for (auto _ : state) {
@@ -84,7 +89,31 @@ void environment_2048x1024(benchmark::State& state) {
     benchmark::DoNotOptimize(sample);
   }
 }
-BENCHMARK(environment_2048x1024);
+BENCHMARK(image_distribution)->Arg(256)->Arg(512)->Arg(1024)->Arg(2048);
+
+void filter(benchmark::State& state) {
+  const FilterSampler sampler(FilterKind::blackman_harris, 1.5);
+  const PixelSampler points(1, 0, 0, 0);
+  std::uint32_t k = 0;
+  for (auto _ : state) {
+    const Block8 u = points.block(k++ & 0xffffU);
+    auto offset = sampler.sample({u[0], u[1]});
+    benchmark::DoNotOptimize(offset);
+  }
+}
+BENCHMARK(filter);
+
+void spherical_rectangle(benchmark::State& state) {
+  const Rectangle rectangle = Rectangle::from_edges({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  Vec3d reference{0.3, 0.2, 1.0};
+  Vec2d u{0.1, 0.7};
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(reference);
+    auto sample = SphericalRectangle(rectangle, reference).sample(u);
+    benchmark::DoNotOptimize(sample);
+  }
+}
+BENCHMARK(spherical_rectangle);
 
 }  // namespace
 }  // namespace lapidary

@@ -41,7 +41,7 @@ Assignment parse_assignment(std::string_view flag, const std::string& text) {
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-Crop parse_crop(std::string_view text) {
+image::Crop parse_crop(std::string_view text) {
   std::array<int, 4> numbers{};
   std::string_view rest = text;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -151,15 +151,17 @@ void declare(CLI::App& verb, CheckCommand& command) {
 void declare(CLI::App& verb, CompareCommand& command) {
   verb.add_option("IMAGE", command.image, "the picture to judge")->required()->type_name("");
   verb.add_option("REFERENCE", command.reference, "what it should be")->required()->type_name("");
+  using image::Metric;
   const std::vector<std::pair<std::string, Metric>> metrics = {{"relmse", Metric::relmse},
                                                                {"mse", Metric::mse},
                                                                {"mae", Metric::mae},
                                                                {"flip", Metric::flip}};
-  add_choice(verb, "--metric", command.metric, metrics, "which difference (relmse)");
+  image::CompareOptions& options = command.options;
+  add_choice(verb, "--metric", options.metric, metrics, "which difference (relmse)");
   add_text(verb, "--trim", "SHARE", "leave out this share of the worst pixels",
-           [&](const std::string& text) { command.trim = number_in("--trim", text, 0.0, 0.999); });
+           [&](const std::string& text) { options.trim = number_in("--trim", text, 0.0, 0.999); });
   add_text(verb, "--crop", "X,Y,W,H", "compare this rectangle only",
-           [&](const std::string& text) { command.crop = parse_crop(text); });
+           [&](const std::string& text) { options.crop = parse_crop(text); });
 }
 
 void declare(CLI::App& verb, HelpCommand& command) {

@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "image/compare.h"
+
 namespace lapidary::app {
 
 /// NAME=VALUE as written on the command line; the value is not interpreted here.
@@ -42,23 +44,11 @@ struct CheckCommand {
   SceneArguments scene;
 };
 
-enum class Metric { relmse, mse, mae, flip };
-
-/// A rectangle of pixels; (x, y) is the upper left one.
-struct Crop {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-};
-
 /// lapidary compare
 struct CompareCommand {
   std::string image;
   std::string reference;
-  Metric metric = Metric::relmse;
-  double trim = 0;  ///< the share of the worst pixels that is left out, in [0, 1)
-  std::optional<Crop> crop;
+  image::CompareOptions options;
 };
 
 /// lapidary help

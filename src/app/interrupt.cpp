@@ -1,6 +1,5 @@
 #include "app/interrupt.h"
 
-#include <atomic>
 #include <csignal>
 
 #include <unistd.h>
@@ -37,7 +36,7 @@ InterruptGuard::~InterruptGuard() {
   handle(SIG_DFL);
 }
 
-bool InterruptGuard::requested() const {
+const std::atomic<bool>& InterruptGuard::requested() const {
   return interrupt_requested;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+
 namespace lapidary::app {
 
 /// While alive, the first SIGINT or SIGTERM asks for an orderly end and the second ends the process
@@ -11,8 +13,8 @@ class InterruptGuard {
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-  /// Whether an orderly end was asked for.
-  bool requested() const;
+  /// Set once an orderly end was asked for.
+  const std::atomic<bool>& requested() const;
 };
 
 }  // namespace lapidary::app

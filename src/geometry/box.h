@@ -16,26 +16,40 @@ struct Box {
   Vec3d max{0.5, 0.5, 0.5};
 };
 
-/// The stretch of a line between two parallel faces, with error bounds of both ends.
-struct Slab {
-  double near = -infinity, far = infinity;
-  double near_error = 0, far_error = 0;
+/// The stretches of a line between the three pairs of opposite faces.
+struct Slabs {
+  double near[3]{-infinity, -infinity, -infinity};
+  double far[3]{infinity, infinity, infinity};
+  double inverse[3]{0, 0, 0};  ///< of the direction; 0 where the line is parallel
 };
 
-/// The error bounds of where a line enters and leaves the common part of three slabs, to within a
-/// rounding of `enter` and `leave`. The exact entry is the greatest exact near end: at least
-/// max(near - error) and at most max(near + error), where an axis matters whose end may reach past
-/// the one found. The exit likewise.
+/// What displacement of the line adds to the error bounds of an entry and an exit.
+///
+/// At each axis it is the displacement over the exact direction, which is at least half the
+/// computed one: 1/(1 - x) <= 1 + 2x for x <= 1/2. The exact entry is the greatest exact near end,
+/// at least max(near - error) and at most max(near + error): other axes than the one found matter
+/// when they may reach past it. The exit likewise.
 struct SlabErrors {
-  double enter, leave;
+  double enter = 0, leave = 0;
 };
-SlabErrors slab_errors(const Slab (&slabs)[3], double enter, double leave);
+inline SlabErrors displacement_errors(const Slabs& slabs, const Line& line, double enter,
+                                      double leave) {
+  SlabErrors errors;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (slabs.inverse[i] == 0.0) continue;
+    const double inverse = std::abs(slabs.inverse[i]);
+    const double scale = inverse + 2 * line.direction_error * inverse * inverse;
+    errors.enter =
+        std::max(errors.enter, slabs.near[i] + line.error_at(slabs.near[i]) * scale - enter);
+    errors.leave =
+        std::max(errors.leave, leave - (slabs.far[i] - line.error_at(slabs.far[i]) * scale));
+  }
+  return errors;
+}
 
 /// Error analysis: t = (face - origin) * (1 / direction) has three roundings and no sum, so it is
 /// exact to 3 u |t|; these errors grow with t, and so the greatest near end and the least far end
-/// keep the bound of their own axis (the fourth u is slab_errors' rounding). A displacement delta
-/// of the line adds delta / |exact direction|, where the exact direction is at least half the
-/// computed one, or else the line counts as parallel.
+/// keep the bound of their own axis. Displacement comes on top, with a rounding of its own.
 ///
 /// A line parallel to a pair of faces is between them from `min` inclusive to `max` exclusive,
 /// as tie_shift has it.
@@ -45,44 +59,36 @@ inline void intervals(const Box& box, const Line& line, EventBuffer& events) {
   // Below this the reciprocal overflows, and 0 * infinity would follow.
   constexpr double smallest_direction = 0x1p-1000;
   const double parallel = smallest_direction + 2 * line.direction_error;
-  const bool is_exact = line.origin_error == 0.0 && line.direction_error == 0.0;
-  Slab slabs[3];
+  Slabs slabs;
   for (std::size_t i = 0; i < 3; ++i) {
     const double o = line.origin[i], d = line.direction[i];
     if (std::abs(d) <= parallel) {
       if (!(o + line.origin_error >= box.min[i] && o + line.origin_error < box.max[i])) return;
       continue;
     }
-    const double inverse = 1.0 / d;
-    const double t0 = (box.min[i] - o) * inverse, t1 = (box.max[i] - o) * inverse;
-    slabs[i].near = d > 0.0 ? t0 : t1;
-    slabs[i].far = d > 0.0 ? t1 : t0;
-    if (is_exact) continue;
-    const double scale = std::abs(inverse) * (1 + 2 * line.direction_error * std::abs(inverse));
-    slabs[i].near_error = line.error_at(slabs[i].near) * scale;
-    slabs[i].far_error = line.error_at(slabs[i].far) * scale;
+    slabs.inverse[i] = 1.0 / d;
+    const double t0 = (box.min[i] - o) * slabs.inverse[i];
+    const double t1 = (box.max[i] - o) * slabs.inverse[i];
+    slabs.near[i] = d > 0.0 ? t0 : t1;
+    slabs.far[i] = d > 0.0 ? t1 : t0;
   }
-  const double enter = std::max(std::max(slabs[0].near, slabs[1].near), slabs[2].near);
-  const double leave = std::min(std::min(slabs[0].far, slabs[1].far), slabs[2].far);
+  const double enter = std::max(std::max(slabs.near[0], slabs.near[1]), slabs.near[2]);
+  const double leave = std::min(std::min(slabs.far[0], slabs.far[1]), slabs.far[2]);
   if (!(enter < leave)) return;
-  const int enter_axis = enter == slabs[0].near ? 0 : enter == slabs[1].near ? 1 : 2;
-  const int leave_axis = leave == slabs[0].far ? 0 : leave == slabs[1].far ? 1 : 2;
-  const int enter_high = line.direction[static_cast<std::size_t>(enter_axis)] < 0.0;
-  const int leave_high = line.direction[static_cast<std::size_t>(leave_axis)] > 0.0;
-  const SlabErrors displaced = is_exact ? SlabErrors{0, 0} : slab_errors(slabs, enter, leave);
-  events.push({enter, 4 * u * std::abs(enter) + displaced.enter,
-               static_cast<Patch>(2 * enter_axis + enter_high), Crossing::enter});
-  events.push({leave, 4 * u * std::abs(leave) + displaced.leave,
-               static_cast<Patch>(2 * leave_axis + leave_high), Crossing::leave});
-}
-
-inline SlabErrors slab_errors(const Slab (&slabs)[3], double enter, double leave) {
-  SlabErrors errors{0, 0};
-  for (const Slab& slab : slabs) {
-    errors.enter = std::max(errors.enter, slab.near + slab.near_error - enter);
-    errors.leave = std::max(errors.leave, leave - (slab.far - slab.far_error));
+  const std::size_t enter_axis = enter == slabs.near[0] ? 0 : enter == slabs.near[1] ? 1 : 2;
+  const std::size_t leave_axis = leave == slabs.far[0] ? 0 : leave == slabs.far[1] ? 1 : 2;
+  const std::size_t enter_high = slabs.inverse[enter_axis] < 0.0;
+  const std::size_t leave_high = slabs.inverse[leave_axis] > 0.0;
+  double enter_error = 3 * u * std::abs(enter), leave_error = 3 * u * std::abs(leave);
+  if (!line.is_exact()) {
+    const SlabErrors displaced = displacement_errors(slabs, line, enter, leave);
+    enter_error += displaced.enter + u * std::abs(enter);
+    leave_error += displaced.leave + u * std::abs(leave);
   }
-  return errors;
+  events.push(
+      {enter, enter_error, static_cast<Patch>(2 * enter_axis + enter_high), Crossing::enter});
+  events.push(
+      {leave, leave_error, static_cast<Patch>(2 * leave_axis + leave_high), Crossing::leave});
 }
 
 inline Vec3d outward_normal(const Box&, Patch patch, Vec3d) {

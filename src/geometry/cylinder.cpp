@@ -3,6 +3,7 @@
 #include "geometry/plane_crossing.h"
 #include "geometry/rounded_bounds.h"
 #include "math/frame.h"
+#include "sampling/warp.h"
 
 namespace lapidary::geometry {
 namespace {
@@ -36,115 +37,128 @@ Stretch intersect(const Stretch& a, const Stretch& b) {
   return s;
 }
 
-/// The part of the line behind a cap's plane; the axis has one rounding.
-Stretch behind_cap(Vec3d point, Vec3d outward, Patch patch, const Line& line) {
-  const PlaneCrossing c = cross_plane({point, outward, 1}, line);
-  if (c.slope == 0.0) return c.is_below ? Stretch{} : Stretch::nowhere();
-  Stretch s;
-  if (c.slope > 0.0) {
-    s.leave = c.t, s.leave_error = c.tau, s.leave_patch = patch;
-  } else {
-    s.enter = c.t, s.enter_error = c.tau, s.enter_patch = patch;
+/// The part of the line between the planes of the caps; the axis a = to - from has one rounding.
+Stretch between_caps(const Cylinder& cylinder, Vec3d a, const Line& line) {
+  const Plane from_plane{cylinder.from, a, 1}, to_plane{cylinder.to, a, 1};
+  const Bounded over_from = height_over(from_plane, line), over_to = height_over(to_plane, line);
+  const Bounded slope = slope_over(from_plane, line);
+  if (is_parallel(slope)) {
+    const Bounded under_from{-over_from.value, over_from.error};
+    const bool is_between = is_below(under_from, -a) && is_below(over_to, a);
+    return is_between ? Stretch{} : Stretch::nowhere();
   }
+  const double inverse = 1.0 / slope.value;
+  const PlaneCrossing at_from = cross_plane(over_from, slope, inverse);
+  const PlaneCrossing at_to = cross_plane(over_to, slope, inverse);
+  if (inverse > 0.0) return {at_from.t, at_to.t, at_from.tau, at_to.tau, 1, 2};
+  return {at_to.t, at_from.t, at_to.tau, at_from.tau, 2, 1};
+}
+
+Vec3d fused_cross(Vec3d a, Vec3d b) {
+  return {std::fma(a.y, b.z, -(a.z * b.y)), std::fma(a.z, b.x, -(a.x * b.z)),
+          std::fma(a.x, b.y, -(a.y * b.x))};
+}
+
+/// The sums of the magnitudes of a cross product's terms, in which its error is counted.
+Vec3d cross_terms(Vec3d a, Vec3d b) {
+  return {std::abs(a.y * b.z) + std::abs(a.z * b.y), std::abs(a.z * b.x) + std::abs(a.x * b.z),
+          std::abs(a.x * b.y) + std::abs(a.y * b.x)};
+}
+
+/// The line seen along the axis. With a = to - from and q = origin - from its point of parameter t
+/// is v + t w, v = q x a, w = direction x a, and the side at the distance radius |a| from zero; l
+/// is the point nearest to zero, at t = m.
+struct AxialView {
+  Vec3d a, q, v, w, w_terms;
+  double aa, ww, radius_squared;  ///< a.a, w.w, radius^2 a.a
+  double inverse_ww, m;
+  Vec3d l;
+  double discriminant;  ///< radius_squared - l.l
+  double ww_error;      ///< bound on the error of w.w
+};
+
+AxialView view_along_axis(const Cylinder& cylinder, const Line& line) {
+  AxialView s;
+  s.a = cylinder.to - cylinder.from;
+  s.q = line.origin - cylinder.from;
+  s.v = fused_cross(s.q, s.a);
+  s.w = fused_cross(line.direction, s.a);
+  s.w_terms = cross_terms(line.direction, s.a);
+  s.aa = dot(s.a, s.a);
+  s.ww = dot(s.w, s.w);
+  s.radius_squared = cylinder.radius * cylinder.radius * s.aa;
+  s.inverse_ww = 1.0 / s.ww;
+  s.m = -dot(s.v, s.w) * s.inverse_ww;
+  s.l = {std::fma(s.m, s.w.x, s.v.x), std::fma(s.m, s.w.y, s.v.y), std::fma(s.m, s.w.z, s.v.z)};
+  s.discriminant =
+      std::fma(-s.l.x, s.l.x, std::fma(-s.l.y, s.l.y, std::fma(-s.l.z, s.l.z, s.radius_squared)));
+  s.ww_error = u_ * (6 * dot(abs(s.w), s.w_terms) + 3 * s.ww);
   return s;
 }
 
-/// A cross product with sums of its terms' magnitudes, in which its error is counted.
-struct BoundedCross {
-  Vec3d value;
-  Vec3d terms;
-};
-
-BoundedCross bounded_cross(Vec3d a, Vec3d b) {
-  return {{std::fma(a.y, b.z, -(a.z * b.y)), std::fma(a.z, b.x, -(a.x * b.z)),
-           std::fma(a.x, b.y, -(a.y * b.x))},
-          {std::abs(a.y * b.z) + std::abs(a.z * b.y), std::abs(a.z * b.x) + std::abs(a.x * b.z),
-           std::abs(a.x * b.y) + std::abs(a.y * b.x)}};
+bool runs_along_axis(const AxialView& s, const Line& line) {
+  return 2 * s.ww_error >= s.ww || s.ww <= 4 * s.aa * line.direction_error * line.direction_error;
 }
 
-/// The infinite cylinder seen in the plane across the axis: with a = to - from, the point of
-/// parameter t lies at v + t w, v = (origin - from) x a, w = direction x a, and the side at the
-/// distance radius |a| from the origin. Terms of v and w count their errors:
-/// |w_i error| <= 3 u w.terms_i (a 1, product 1, fma 1), |v_i error| <= 4 u v.terms_i.
-struct Across {
-  BoundedCross v, w;
-  double axis_squared;    ///< a.a, to 5 u
-  double radius_squared;  ///< radius^2 a.a, to 7 u
-};
-
-/// What is inside of the side along a line that runs along the axis to within rounding, judged at
-/// its parameter t.
-bool is_inside_at(const Cylinder& cylinder, const Across& across, const Line& line, double t) {
-  const Vec3d l = across.v.value + across.w.value * t;
-  const double distance = std::sqrt(across.radius_squared) - length(l);
-  const double error = 4 * u_ * (length(across.v.terms) + std::abs(t) * length(across.w.terms)) +
-                       8 * u_ * std::sqrt(across.radius_squared) +
-                       std::sqrt(across.axis_squared) * line.error_at(t);
+/// Whether a line that runs along the axis to within rounding is inside of the side, judged at its
+/// parameter t.
+bool is_inside_at(const AxialView& s, const Line& line, double t) {
+  const Vec3d l = s.v + s.w * t;
+  const double distance = std::sqrt(s.radius_squared) - length(l);
+  const double error = 4 * u_ * (length(cross_terms(s.q, s.a)) + std::abs(t) * length(s.w_terms)) +
+                       8 * u_ * std::sqrt(s.radius_squared) + std::sqrt(s.aa) * line.error_at(t);
   if (std::abs(distance) > error) return distance > 0.0;
-  return counts_as_inside(cross(cylinder.to - cylinder.from, l));
+  return counts_as_inside(cross(s.a, l));
 }
 
+/// The error bound of m - h and m + h, but for the rounding of that sum.
+///
 /// As for the sphere (geometry/sphere.h), with v, w, radius^2 a.a for q, d, r^2, but v and w now
-/// have errors of their own:
-///     |w.w error| <= rho w.w,  rho = u (6 sum |w_i| W_i / w.w + 3),  W, V: terms of w, v
+/// have errors of their own. Counted in the terms V of v and W of w,
+///     |w_i error| <= 3 u W_i  (a 1, product 1, fma 1),  |v_i error| <= 4 u V_i  (and q 1)
+///     |w.w error| <= rho w.w,  rho = u (6 sum |w_i| W_i / w.w + 3)
 ///     |m error| <= u sum (3 |v_i| W_i + 4 |w_i| V_i + 3 |v_i w_i|) / w.w + |m| (rho + 2 u)
 ///     |l_i error| <= L_i = u (4 V_i + 3 |m| W_i + |l_i|)
 ///     E = 10 u r^2 a.a + sum L_i (2 |l_i| + L_i) + (m error)^2 w.w
 ///         + a.a delta (2 r + delta)
-/// When rho > 1/2 the line runs along the axis.
-Stretch inside_side(const Cylinder& cylinder, const Line& line, const Stretch& caps) {
-  const Vec3d a = cylinder.to - cylinder.from;
-  const double aa = dot(a, a);
-  const Across across{bounded_cross(line.origin - cylinder.from, a),
-                      bounded_cross(line.direction, a), aa, cylinder.radius * cylinder.radius * aa};
-  const auto& [v, v_terms] = across.v;
-  const auto& [w, w_terms] = across.w;
-  const double ww = dot(w, w);
-  const double ww_error = u_ * (6 * dot(abs(w), w_terms) + 3 * ww);
-  if (2 * ww_error >= ww || ww <= 4 * aa * line.direction_error * line.direction_error) {
-    const double middle = 0.5 * (caps.enter + caps.leave);
-    return is_inside_at(cylinder, across, line, middle) ? Stretch{} : Stretch::nowhere();
-  }
-  const double inverse_ww = 1.0 / ww;
-  const double rho = ww_error * inverse_ww;
-  const double m = -dot(v, w) * inverse_ww;
-  const Vec3d l{std::fma(m, w.x, v.x), std::fma(m, w.y, v.y), std::fma(m, w.z, v.z)};
-  const double discriminant =
-      std::fma(-l.x, l.x, std::fma(-l.y, l.y, std::fma(-l.z, l.z, across.radius_squared)));
-  if (!(discriminant > 0.0)) return Stretch::nowhere();
-  const double h = std::sqrt(discriminant * inverse_ww);
-
-  const double dot_error =
-      u_ * (3 * dot(abs(v), w_terms) + 4 * dot(abs(w), v_terms) + 3 * dot(abs(v), abs(w)));
-  // 1/(1 - rho) <= 1 + 2 rho turns bounds relative to the computed w.w into ones to the exact.
+/// The line is not along the axis, so rho <= 1/2, and 1/(1 - rho) <= 1 + 2 rho turns bounds
+/// relative to the computed w.w into ones relative to the exact.
+double side_error(const AxialView& s, double radius, double h, const Line& line) {
+  const Vec3d v_terms = cross_terms(s.q, s.a);
+  const double rho = s.ww_error * s.inverse_ww;
+  const double dot_error = u_ * (3 * dot(abs(s.v), s.w_terms) + 4 * dot(abs(s.w), v_terms) +
+                                 3 * dot(abs(s.v), abs(s.w)));
   const double m_error =
-      (dot_error * inverse_ww + std::abs(m) * rho) * (1 + 2 * rho) + 2 * u_ * std::abs(m);
-  const Vec3d l_error = (v_terms * 4.0 + w_terms * (3 * std::abs(m)) + abs(l)) * u_;
-  const double delta = line.error_at(std::abs(m) + h);
-  const double e = 10 * u_ * across.radius_squared + dot(l_error, abs(l) * 2.0 + l_error) +
-                   m_error * m_error * ww * (1 + rho) + aa * delta * (2 * cylinder.radius + delta);
-  const double e_t = e * inverse_ww * (1 + 2 * rho);
-  const double h_error = (discriminant > e ? e_t / h : h + std::sqrt(h * h + e_t)) +
-                         h * (rho * (1 + 2 * rho) + 3 * u_);
-  const double tau = m_error + h_error;
-  Stretch s{m - h, m + h};
-  s.enter_error = tau + u_ * std::abs(s.enter);
-  s.leave_error = tau + u_ * std::abs(s.leave);
-  return s;
+      (dot_error * s.inverse_ww + std::abs(s.m) * rho) * (1 + 2 * rho) + 2 * u_ * std::abs(s.m);
+  const Vec3d l_error = (v_terms * 4.0 + s.w_terms * (3 * std::abs(s.m)) + abs(s.l)) * u_;
+  const double delta = line.error_at(std::abs(s.m) + h);
+  const double e = 10 * u_ * s.radius_squared + dot(l_error, abs(s.l) * 2.0 + l_error) +
+                   m_error * m_error * s.ww * (1 + rho) + s.aa * delta * (2 * radius + delta);
+  const double e_t = e * s.inverse_ww * (1 + 2 * rho);
+  const double h_error = s.discriminant > e ? e_t / h : h + std::sqrt(h * h + e_t);
+  return m_error + h_error + h * (rho * (1 + 2 * rho) + 3 * u_);
 }
 
 }  // namespace
 
 void intervals(const Cylinder& cylinder, const Line& line, EventBuffer& events) {
   events.clear();
-  const Vec3d a = cylinder.to - cylinder.from;
-  const Stretch caps =
-      intersect(behind_cap(cylinder.from, -a, 1, line), behind_cap(cylinder.to, a, 2, line));
-  if (caps.empty()) return;
-  const Stretch side = inside_side(cylinder, line, caps);
-  if (side.empty()) return;
-  const Stretch s = intersect(caps, side);
+  const AxialView view = view_along_axis(cylinder, line);
+  const bool is_along = runs_along_axis(view, line);
+  if (!is_along && !(view.discriminant > 0.0)) return;
+  Stretch s = between_caps(cylinder, view.a, line);
   if (s.empty()) return;
+  if (is_along) {
+    if (!is_inside_at(view, line, 0.5 * (s.enter + s.leave))) return;
+  } else {
+    const double h = std::sqrt(view.discriminant * view.inverse_ww);
+    Stretch side{view.m - h, view.m + h};
+    if (!(std::max(s.enter, side.enter) < std::min(s.leave, side.leave))) return;
+    const double error = side_error(view, cylinder.radius, h, line);
+    side.enter_error = error + u_ * std::abs(side.enter);
+    side.leave_error = error + u_ * std::abs(side.leave);
+    s = intersect(s, side);
+  }
   events.push({s.enter, s.enter_error, s.enter_patch, Crossing::enter});
   events.push({s.leave, s.leave_error, s.leave_patch, Crossing::leave});
 }
@@ -202,15 +216,16 @@ BoundaryPoint sample_boundary(const Cylinder& cylinder, Vec2d u, double u_patch)
   const double height = length(a), r = cylinder.radius;
   const Frame frame = Frame::from_normal(a / height);
   const double pdf = 1.0 / area(cylinder);
-  const double phi = 2.0 * pi * u.x;
-  const Vec3d radial = frame.tangent * std::cos(phi) + frame.bitangent * std::sin(phi);
   const double cap_share = 0.5 * r / (r + height);
   if (u_patch < cap_share || u_patch >= 1.0 - cap_share) {
     const Patch patch = u_patch < cap_share ? 1 : 2;
     const Vec3d center = patch == 1 ? cylinder.from : cylinder.to;
-    return {center + radial * (r * std::sqrt(u.y)), patch == 1 ? -frame.normal : frame.normal,
-            patch, pdf};
+    const Vec2d d = sample_uniform_disk(u);
+    return {center + (frame.tangent * d.x + frame.bitangent * d.y) * r,
+            patch == 1 ? -frame.normal : frame.normal, patch, pdf};
   }
+  const double phi = 2.0 * pi * u.x;
+  const Vec3d radial = frame.tangent * std::cos(phi) + frame.bitangent * std::sin(phi);
   return {cylinder.from + a * u.y + radial * r, radial, 0, pdf};
 }
 

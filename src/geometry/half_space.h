@@ -20,10 +20,13 @@ struct HalfSpace {
 /// Error analysis: geometry/plane_crossing.h.
 inline void intervals(const HalfSpace& half_space, const Line& line, EventBuffer& events) {
   events.clear();
-  const PlaneCrossing c = cross_plane({half_space.point, half_space.normal}, line);
-  events.set_inside_at_start(c.slope > 0.0 || (c.slope == 0.0 && c.is_below));
-  if (c.slope == 0.0) return;
-  events.push({c.t, c.tau, 0, c.slope > 0.0 ? Crossing::leave : Crossing::enter});
+  const Plane plane{half_space.point, half_space.normal};
+  const Bounded height = height_over(plane, line), slope = slope_over(plane, line);
+  if (is_parallel(slope)) return events.set_inside_at_start(is_below(height, plane.normal));
+  const PlaneCrossing c = cross_plane(height, slope, 1.0 / slope.value);
+  const bool leaves = slope.value > 0.0;
+  events.set_inside_at_start(leaves);
+  events.push({c.t, c.tau, 0, leaves ? Crossing::leave : Crossing::enter});
 }
 
 inline Vec3d outward_normal(const HalfSpace& half_space, Patch, Vec3d) {

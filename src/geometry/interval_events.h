@@ -27,6 +27,7 @@ struct Line {
   double origin_error = 0;
   double direction_error = 0;
 
+  bool is_exact() const { return origin_error == 0.0 && direction_error == 0.0; }
   Vec3d at(double t) const { return origin + direction * t; }
   double error_at(double t) const { return origin_error + std::abs(t) * direction_error; }
 };

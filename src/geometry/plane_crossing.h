@@ -12,12 +12,14 @@ struct Plane {
   double normal_roundings = 0;
 };
 
-/// How a line meets a plane.
+/// A computed value with a bound on its error.
+struct Bounded {
+  double value, error;
+};
+
+/// Where a line crosses a plane, with the bound of t.
 struct PlaneCrossing {
-  double slope;   ///< dot(direction, normal); 0 when the line is parallel within rounding
-  double t;       ///< where it crosses, if it does
-  double tau;     ///< error bound of t
-  bool is_below;  ///< if parallel: on the side the normal points away from, or counted so
+  double t, tau;
 };
 
 /// Error analysis, with q = origin - point and k = plane.normal_roundings. Each product q_i n_i
@@ -28,30 +30,42 @@ struct PlaneCrossing {
 /// slope is at least (1 - x) times the computed one with x = |slope error / slope|; a line counts
 /// as parallel when x > 1/2, and 1/(1 - x) <= 1 + 2x below that. Two roundings of t follow
 /// (reciprocal, product).
-inline PlaneCrossing cross_plane(const Plane& plane, const Line& line) {
-  constexpr double u = rounding_unit;
+///
+/// The height of the line's origin over the plane, times |normal|.
+inline Bounded height_over(const Plane& plane, const Line& line) {
   const Vec3d n = plane.normal, q = line.origin - plane.point;
   const Vec3d qn{q.x * n.x, q.y * n.y, q.z * n.z};
-  const Vec3d dn{line.direction.x * n.x, line.direction.y * n.y, line.direction.z * n.z};
-  const double height = qn.x + qn.y + qn.z;
-  const double slope = dn.x + dn.y + dn.z;
+  const double terms = std::abs(qn.x) + std::abs(qn.y) + std::abs(qn.z);
   const double n_length = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-  const double height_error =
-      (plane.normal_roundings + 4) * u * (std::abs(qn.x) + std::abs(qn.y) + std::abs(qn.z)) +
-      n_length * line.origin_error;
-  const double slope_error =
-      (plane.normal_roundings + 3) * u * (std::abs(dn.x) + std::abs(dn.y) + std::abs(dn.z)) +
-      n_length * line.direction_error;
-  if (std::abs(slope) <= 2 * slope_error) {
-    const bool in_plane = std::abs(height) <= height_error;
-    return {0.0, 0.0, 0.0, in_plane ? counts_as_inside(n) : height < 0.0};
-  }
-  const double inverse = 1.0 / slope;
-  const double t = -height * inverse;
-  const double x = slope_error * std::abs(inverse);
-  const double tau =
-      (height_error * std::abs(inverse) + x * std::abs(t)) * (1 + 2 * x) + 2 * u * std::abs(t);
-  return {slope, t, tau, false};
+  return {qn.x + qn.y + qn.z,
+          (plane.normal_roundings + 4) * rounding_unit * terms + n_length * line.origin_error};
+}
+
+/// How the height changes per t.
+inline Bounded slope_over(const Plane& plane, const Line& line) {
+  const Vec3d n = plane.normal, d = line.direction;
+  const Vec3d dn{d.x * n.x, d.y * n.y, d.z * n.z};
+  const double terms = std::abs(dn.x) + std::abs(dn.y) + std::abs(dn.z);
+  const double n_length = std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+  return {dn.x + dn.y + dn.z,
+          (plane.normal_roundings + 3) * rounding_unit * terms + n_length * line.direction_error};
+}
+
+inline bool is_parallel(Bounded slope) {
+  return std::abs(slope.value) <= 2 * slope.error;
+}
+
+/// Whether a parallel line is on the side that the normal points away from, or counts so.
+inline bool is_below(Bounded height, Vec3d normal) {
+  return std::abs(height.value) <= height.error ? counts_as_inside(normal) : height.value < 0.0;
+}
+
+/// `slope` is not parallel; `inverse_slope` is 1 / slope.value.
+inline PlaneCrossing cross_plane(Bounded height, Bounded slope, double inverse_slope) {
+  const double t = -height.value * inverse_slope;
+  const double x = slope.error * std::abs(inverse_slope);
+  return {t, (height.error * std::abs(inverse_slope) + x * std::abs(t)) * (1 + 2 * x) +
+                 2 * rounding_unit * std::abs(t)};
 }
 
 }  // namespace lapidary::geometry

@@ -4,6 +4,7 @@
 #include "geometry/rounded_bounds.h"
 #include "math/frame.h"
 #include "math/roots.h"
+#include "sampling/warp.h"
 
 namespace lapidary::geometry {
 namespace {
@@ -68,9 +69,8 @@ BoundaryPoint sample_area(const Rectangle& r, Vec2d u) {
 }
 BoundaryPoint sample_area(const Disk& disk, Vec2d u) {
   const Frame frame = Frame::from_normal(front_normal(disk));
-  const double rho = disk.radius * std::sqrt(u.x), phi = 2.0 * pi * u.y;
-  const Vec3d offset =
-      frame.tangent * (rho * std::cos(phi)) + frame.bitangent * (rho * std::sin(phi));
+  const Vec2d d = sample_uniform_disk(u) * disk.radius;
+  const Vec3d offset = frame.tangent * d.x + frame.bitangent * d.y;
   return {disk.center + offset, frame.normal, 0, 1.0 / area(disk)};
 }
 

@@ -83,8 +83,10 @@ Sheet transformed(const Sheet& sheet, const Transform& world_from_object);
 /// error| <= u |q_i| + tau |d_i| + u |p_i|
 /// (+ line displacement), and the product has 3 roundings and about 8 of dual_u.
 inline std::optional<Event> intersect(const PreparedRectangle& rectangle, const Line& line) {
-  const PlaneCrossing c = cross_plane({rectangle.corner, rectangle.normal, 4}, line);
-  if (c.slope == 0.0) return std::nullopt;
+  const Plane plane{rectangle.corner, rectangle.normal, 4};
+  const Bounded slope = slope_over(plane, line);
+  if (is_parallel(slope)) return std::nullopt;
+  const PlaneCrossing c = cross_plane(height_over(plane, line), slope, 1.0 / slope.value);
   const Vec3d d = line.direction, q = line.origin - rectangle.corner;
   const Vec3d p{std::fma(c.t, d.x, q.x), std::fma(c.t, d.y, q.y), std::fma(c.t, d.z, q.z)};
   const double from_center_u = std::abs(dot(rectangle.dual_u, p) - 0.5);
@@ -98,17 +100,19 @@ inline std::optional<Event> intersect(const PreparedRectangle& rectangle, const 
       return std::nullopt;
     }
   }
-  return Event{c.t, c.tau, 0, c.slope < 0.0 ? Crossing::enter : Crossing::leave};
+  return Event{c.t, c.tau, 0, slope.value < 0.0 ? Crossing::enter : Crossing::leave};
 }
 
 /// The scaling of the normal to unit length is one rounding.
 inline std::optional<Event> intersect(const PreparedDisk& disk, const Line& line) {
-  const PlaneCrossing c = cross_plane({disk.center, disk.normal, 1}, line);
-  if (c.slope == 0.0) return std::nullopt;
+  const Plane plane{disk.center, disk.normal, 1};
+  const Bounded slope = slope_over(plane, line);
+  if (is_parallel(slope)) return std::nullopt;
+  const PlaneCrossing c = cross_plane(height_over(plane, line), slope, 1.0 / slope.value);
   const Vec3d d = line.direction, q = line.origin - disk.center;
   const Vec3d p{std::fma(c.t, d.x, q.x), std::fma(c.t, d.y, q.y), std::fma(c.t, d.z, q.z)};
   if (!(length_squared(p) <= disk.radius_squared)) return std::nullopt;
-  return Event{c.t, c.tau, 0, c.slope < 0.0 ? Crossing::enter : Crossing::leave};
+  return Event{c.t, c.tau, 0, slope.value < 0.0 ? Crossing::enter : Crossing::leave};
 }
 
 inline std::optional<Event> intersect(const PreparedSheet& sheet, const Line& line) {

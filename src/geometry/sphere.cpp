@@ -1,6 +1,7 @@
 #include "geometry/sphere.h"
 
 #include "geometry/rounded_bounds.h"
+#include "sampling/warp.h"
 
 namespace lapidary::geometry {
 
@@ -27,10 +28,7 @@ double area(const Sphere& sphere) {
 }
 
 BoundaryPoint sample_boundary(const Sphere& sphere, Vec2d u, double) {
-  const double z = 1.0 - 2.0 * u.x;
-  const double rho = 2.0 * std::sqrt(u.x * (1.0 - u.x));
-  const double phi = 2.0 * pi * u.y;
-  const Vec3d n{rho * std::cos(phi), rho * std::sin(phi), z};
+  const Vec3d n = sample_uniform_sphere(u);
   return {sphere.center + n * sphere.radius, n, 0, 1.0 / area(sphere)};
 }
 

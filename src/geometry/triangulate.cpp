@@ -36,9 +36,9 @@ AreaVector area_vector(std::span<const Vec3d> corners) {
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
     const Vec3d a = corners[i] - corners[0], b = corners[i + 1] - corners[0];
     sum += cross(a, b);
-    magnitude += Vec3d(std::abs(a.y * b.z) + std::abs(a.z * b.y),
-                       std::abs(a.z * b.x) + std::abs(a.x * b.z),
-                       std::abs(a.x * b.y) + std::abs(a.y * b.x));
+    magnitude +=
+        Vec3d(std::abs(a.y * b.z) + std::abs(a.z * b.y), std::abs(a.z * b.x) + std::abs(a.x * b.z),
+              std::abs(a.x * b.y) + std::abs(a.y * b.x));
   }
   const double epsilon = std::numeric_limits<double>::epsilon();
   const double bound = epsilon * static_cast<double>(corners.size()) * max_component(magnitude);
@@ -184,26 +184,53 @@ bool PolygonTriangulator::is_ear(Corner i, Tier tier) {
   if (tier == Tier::any) return true;
   const Triangle ear = ear_at(i);
   const int side = turn(ear);
-  if (tier == Tier::flat) return side == 0;
+  if (tier == Tier::flat || (side == 0 && is_spike(ear))) return side == 0;
   return side > 0 && (tier == Tier::convex || is_free(ear, tier));
+}
+
+// Of three corners on a line, whether the outline runs back over itself or stays where it is.
+bool PolygonTriangulator::is_spike(const Triangle& ear) const {
+  const Vec2d back = points_[ear[0]] - points_[ear[1]], on = points_[ear[2]] - points_[ear[1]];
+  return back.x * on.x + back.y * on.y >= 0;
 }
 
 // A triangle that holds any other corner holds a reflex one, so only those are asked.
 bool PolygonTriangulator::is_free(const Triangle& ear, Tier tier) {
   const Vec2d a = points_[ear[0]], b = points_[ear[1]], c = points_[ear[2]];
-  const std::size_t x0 = cell(0, std::min({a.x, b.x, c.x}));
-  const std::size_t x1 = cell(0, std::max({a.x, b.x, c.x}));
-  const std::size_t y0 = cell(1, std::min({a.y, b.y, c.y}));
-  const std::size_t y1 = cell(1, std::max({a.y, b.y, c.y}));
-  for (std::size_t y = y0; y <= y1; ++y) {
+  const std::size_t first_row = cell(1, std::min({a.y, b.y, c.y}));
+  const std::size_t last_row = cell(1, std::max({a.y, b.y, c.y}));
+  for (std::size_t y = first_row; y <= last_row; ++y) {
+    const Interval span = first_row == last_row
+                              ? Interval{std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x})}
+                              : span_in_row({a, b, c}, y);
     const std::size_t row = y * grid_size_[0];
-    const std::uint32_t begin = cell_begin_[row + x0], end = cell_begin_[row + x1 + 1];
+    const std::uint32_t begin = cell_begin_[row + cell(0, span.min)];
+    const std::uint32_t end = cell_begin_[row + cell(0, span.max) + 1];
     work_ += end - begin + 1;
     for (std::uint32_t k = begin; k < end; ++k) {
       if (blocks(cell_corners_[k], ear, tier)) return false;
     }
   }
   return true;
+}
+
+// The extent in x of a triangle's part in a row of the grid, a little more for rounding.
+Interval PolygonTriangulator::span_in_row(const std::array<Vec2d, 3>& triangle,
+                                          std::size_t y) const {
+  const double height = 1 / cells_per_unit_.y;  // not 0: there are several rows
+  const double low = grid_min_.y + (static_cast<double>(y) - 0.01) * height;
+  const double high = low + 1.02 * height;
+  Interval span;
+  const auto extend = [&](double x) { span = {std::min(span.min, x), std::max(span.max, x)}; };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec2d p = triangle[i], q = triangle[(i + 1) % 3];
+    if (low <= p.y && p.y <= high) extend(p.x);
+    for (const double edge : {low, high}) {
+      if ((p.y < edge) != (q.y < edge)) extend(p.x + (q.x - p.x) * ((edge - p.y) / (q.y - p.y)));
+    }
+  }
+  const double margin = 0.01 / cells_per_unit_.x;
+  return {span.min - margin, span.max + margin};
 }
 
 bool PolygonTriangulator::blocks(Corner p, const Triangle& ear, Tier tier) const {

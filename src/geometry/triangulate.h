@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "math/interval.h"
 #include "math/vec.h"
 
 namespace lapidary::geometry {
@@ -51,7 +52,9 @@ class PolygonTriangulator {
   int turn(Corner a, Corner b, Corner c) const;
   int turn(const Triangle& t) const { return turn(t[0], t[1], t[2]); }
   bool is_ear(Corner i, Tier tier);
+  bool is_spike(const Triangle& ear) const;
   bool is_free(const Triangle& ear, Tier tier);
+  Interval span_in_row(const std::array<Vec2d, 3>& triangle, std::size_t y) const;
   bool blocks(Corner p, const Triangle& ear, Tier tier) const;
   bool cut_ears(Tier tier, std::vector<Triangle>& triangles);
   void cut(Corner i);

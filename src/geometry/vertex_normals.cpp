@@ -24,7 +24,9 @@ Edges edges_of(std::span<const Vec3f> positions, const TriangleIndices& t) {
 }
 
 // Zero for a triangle of zero area.
-Vec3f unit_normal(const Edges& e) { return to_unit(cross(e.ab, e.bc)); }
+Vec3f unit_normal(const Edges& e) {
+  return to_unit(cross(e.ab, e.bc));
+}
 
 // Angle between the vectors of length la and lb that enclose it, from their dot product.
 float angle(double dot_product, double la_lb) {
@@ -233,7 +235,7 @@ SplitNormals normals_by_crease(std::span<const Vec3f> positions,
   result.normals = std::move(facets.vertex_means);
 
   const auto least_cosine = [](double degrees) {
-    return static_cast<float>(std::cos(std::min(degrees, 180.0) * (pi / 180)));
+    return static_cast<float>(std::cos(radians(std::min(degrees, 180.0))));
   };
   const float near_mean = least_cosine(crease / 2);
   std::vector<std::uint8_t> creased(positions.size());

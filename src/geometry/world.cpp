@@ -47,7 +47,10 @@ World::World(Parts parts, ThreadPool& pool) : parts_(std::move(parts)) {
   };
   std::uint32_t item = 0;
   for (const PlacedSolid& solid : parts_.solids) place(item++, geometry::bounds(solid));
-  for (const Sheet& sheet : parts_.sheets) place(item++, geometry::bounds(sheet));
+  for (const Sheet& sheet : parts_.sheets) {
+    place(item++, geometry::bounds(sheet));
+    sheets_.push_back(prepared(sheet));
+  }
   bvh_ = Bvh(boxes);
   triangles_ = TriangleScene(std::move(parts_.meshes), pool);
   bounds_.extend(triangles_.bounds());
@@ -58,7 +61,7 @@ bool World::test_item(std::uint32_t item, const Ray& ray, Hit& hit) const {
   if (item >= solids) {
     const std::uint32_t index = item - solids;
     if (ray.from.kind == SurfaceKind::sheet && ray.from.index == index) return false;
-    const auto e = intersect(parts_.sheets[index], ray.line());
+    const auto e = intersect(sheets_[index], ray.line());
     if (!e || !(e->t < hit.t)) return false;
     if (!(e->t > (ray.from.kind == SurfaceKind::none ? 0.0 : e->tau))) return false;
     hit = {e->t, SurfaceKind::sheet, e->crossing, e->patch, index};
@@ -110,7 +113,8 @@ Surface World::surface(const Ray& ray, const Hit& hit) const {
   s.index = hit.index;
   s.geometric_normal = hit.kind == SurfaceKind::solid
                            ? outward_normal(parts_.solids[hit.index], hit.patch, s.p)
-                           : front_normal(parts_.sheets[hit.index]);
+                           : std::visit([](const auto& sheet) { return sheet.normal; },
+                                        sheets_[hit.index]);
   s.shading_normal = s.geometric_normal;
   return s;
 }

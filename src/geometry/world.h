@@ -63,6 +63,7 @@ class World {
   SurfaceUv triangle_uv(const Hit& hit) const;
 
   Parts parts_;
+  std::vector<PreparedSheet> sheets_;     ///< of `parts_.sheets`, ready for lines
   std::vector<std::uint32_t> bounded_;    ///< items of the hierarchy
   std::vector<std::uint32_t> unbounded_;  ///< items tested by every ray
   Bvh bvh_;

@@ -1,5 +1,7 @@
 #include "image/codecs.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "image/srgb.h"
@@ -13,11 +15,11 @@ Error broken_file(const Source& source, FileFormat format, const std::string& de
 
 void check_dimensions(const Source& source, std::uint64_t width, std::uint64_t height) {
   if (width == 0 || height == 0) throw file_error(source.file, "is a picture without pixels");
-  // Division, because the product of two hostile numbers may wrap around.
-  if (width > max_pixels / height) {
+  // The sides come first, so that their product cannot wrap around.
+  if (std::max(width, height) > max_side || width * height > max_pixels) {
     throw file_error(source.file,
-                     fmt::format("claims {} x {} pixels, the limit is {} million", width, height,
-                                 max_pixels / 1'000'000),
+                     fmt::format("claims {} x {} pixels, the limit is {} million and {} on a side",
+                                 width, height, max_pixels / 1'000'000, max_side),
                      "scale it down, or make or copy it again if it is not that large");
   }
 }

@@ -25,7 +25,8 @@ struct Source {
 /// The error of a file that ends early or contradicts itself; `detail` in the library's words.
 Error broken_file(const Source& source, FileFormat format, const std::string& detail);
 
-/// Throws Error unless 1 <= width * height <= max_pixels.
+/// Throws Error unless there are pixels, at most max_pixels and at most max_side in a row or
+/// column.
 void check_dimensions(const Source& source, std::uint64_t width, std::uint64_t height);
 
 /// An image without pixels, and memory set aside for them. It is filled row by row, so a short

@@ -21,8 +21,8 @@
 namespace lapidary::image {
 namespace {
 
-/// Rows that are decoded at once.
-constexpr int block_rows = 64;
+/// Pixels that are decoded at once, in whole rows: little, because a broken file may have no more.
+constexpr int block_pixels = 1 << 18;
 
 struct Window {
   int x = 0;
@@ -127,6 +127,7 @@ Place find_layer(const Source& source, const Imf::MultiPartInputFile& file) {
 /// Calls `frame(y, rows)` for the frame buffer of each block of rows, and reads it.
 template <typename MakeFrame>
 void read_blocks(Imf::InputPart& part, const Window& window, const MakeFrame& frame) {
+  const int block_rows = std::max(1, block_pixels / window.width);
   for (int y = 0; y < window.height; y += block_rows) {
     const int rows = std::min(block_rows, window.height - y);
     part.setFrameBuffer(frame(y, rows));

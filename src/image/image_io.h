@@ -9,8 +9,9 @@
 
 namespace lapidary::image {
 
-/// The largest picture that is read, in pixels: checked before memory is taken.
+/// The largest picture that is read: checked before memory is taken.
 inline constexpr std::uint64_t max_pixels = std::uint64_t{1} << 28;
+inline constexpr std::uint64_t max_side = std::uint64_t{1} << 20;
 
 /// What the numbers in a file mean.
 enum class ColorSpace {
@@ -37,7 +38,7 @@ struct ReadOptions {
 /// channels, scan lines and tiles, the data window; of several parts the first that has the layer;
 /// without R, G, B a luminance Y. Colours are left as stored, so they are straight beside a PNG's
 /// alpha and multiplied with an OpenEXR's. NaN and infinity are kept: see count_non_finite.
-/// Throws Error for anything that is not a whole picture of at most `max_pixels`.
+/// Throws Error for anything that is not a whole picture within these limits.
 Image read_image(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// Reads the first part of an OpenEXR file with all its channels, sorted by name as in the file,

@@ -1,9 +1,9 @@
 #include "import/line_cursor.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
+
+#include <fmt/format.h>
 
 #include "import/numbers.h"
 

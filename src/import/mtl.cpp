@@ -1,10 +1,10 @@
 #include "import/mtl.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "import/find_file.h"
 #include "import/line_cursor.h"
@@ -29,13 +29,13 @@ bool is_number(const std::string& word) {
 std::optional<MtlChannel> texture_channel(std::string_view keyword) {
   using enum MtlChannel;
   static constexpr std::array<std::pair<std::string_view, MtlChannel>, 22> channels{{
-      {"map_ka", ambient},     {"map_kd", diffuse},     {"map_ks", specular},
-      {"map_ke", emission},    {"map_tf", transmission}, {"map_ns", shininess},
-      {"map_d", dissolve},     {"map_tr", dissolve},    {"map_bump", bump},
-      {"bump", bump},          {"norm", normal},        {"map_kn", normal},
-      {"map_norm", normal},    {"disp", displacement},  {"map_disp", displacement},
-      {"decal", decal},        {"map_decal", decal},    {"refl", reflection},
-      {"map_refl", reflection}, {"map_pr", roughness},  {"map_pm", metallic},
+      {"map_ka", ambient},      {"map_kd", diffuse},      {"map_ks", specular},
+      {"map_ke", emission},     {"map_tf", transmission}, {"map_ns", shininess},
+      {"map_d", dissolve},      {"map_tr", dissolve},     {"map_bump", bump},
+      {"bump", bump},           {"norm", normal},         {"map_kn", normal},
+      {"map_norm", normal},     {"disp", displacement},   {"map_disp", displacement},
+      {"decal", decal},         {"map_decal", decal},     {"refl", reflection},
+      {"map_refl", reflection}, {"map_pr", roughness},    {"map_pm", metallic},
       {"map_ps", sheen},
   }};
   for (const auto& [name, channel] : channels) {

@@ -42,14 +42,14 @@ struct MtlTexture {
 /// file does not say has the value given here.
 struct MtlMaterial {
   std::string name;
-  Rgb diffuse{0.8F, 0.8F, 0.8F};  ///< Kd
-  Rgb specular;                   ///< Ks
-  Rgb emission;                   ///< Ke
-  Rgb transmission{1, 1, 1};      ///< Tf, the filter of light that passes
-  double shininess = 0;           ///< Ns, exponent of a Phong lobe
-  double dissolve = 1;            ///< d, or 1 - Tr where d is not stated: 1 is opaque
-  std::optional<double> index;    ///< Ni, index of refraction
-  std::optional<int> illum;       ///< illumination model, 0 .. 10
+  Rgb diffuse{0.8F, 0.8F, 0.8F};    ///< Kd
+  Rgb specular;                     ///< Ks
+  Rgb emission;                     ///< Ke
+  Rgb transmission{1, 1, 1};        ///< Tf, the filter of light that passes
+  double shininess = 0;             ///< Ns, exponent of a Phong lobe
+  double dissolve = 1;              ///< d, or 1 - Tr where d is not stated: 1 is opaque
+  std::optional<double> index;      ///< Ni, index of refraction
+  std::optional<int> illum;         ///< illumination model, 0 .. 10
   std::optional<double> roughness;  ///< Pr
   std::optional<double> metallic;   ///< Pm
   std::vector<MtlTexture> textures;

@@ -8,7 +8,8 @@
 namespace lapidary::import::detail {
 namespace {
 
-// Whether a number that no double can hold is too small: the decimal place of its first digit tells.
+// Whether a number that no double can hold is too small: the decimal place of its first digit
+// tells.
 bool is_tiny(std::string_view text) {
   const std::size_t e = text.find_first_of("eE");
   const std::string_view digits = text.substr(0, e);

@@ -50,9 +50,9 @@ struct ObjScene {
 /// Reads a Wavefront OBJ file with its material libraries.
 ///
 /// Faces keep their orientation and may be polygons of any shape; negative indices count backwards;
-/// corners may lack uvs or normals. Equal corners (position, uv, normal) become one vertex, vertices
-/// no face uses are left out, triangles of zero area as floats are dropped. Positions are floats
-/// relative to `mesh.origin`, which is 0 unless the object is far away from it for its size.
+/// corners may lack uvs or normals. Equal corners (position, uv, normal) become one vertex,
+/// vertices no face uses are left out, triangles of zero area as floats are dropped. Positions are
+/// floats relative to `mesh.origin`, which is 0 unless the object is far away from it for its size.
 ///
 /// Tells `warnings` once about each kind of thing it skips (lines, points, free forms, unknown
 /// statements, zero-area triangles), about polygons that cross themselves, and about material files

@@ -191,13 +191,13 @@ void weld(ObjStatements& statements, geometry::TriangleMesh& mesh) {
 ObjMesh build_obj_mesh(ObjStatements& statements, ObjNormals normals, double crease) {
   ObjMesh result;
   geometry::TriangleMesh& mesh = result.mesh;
-  std::vector<std::uint8_t> used =
-      used_vertices(statements.triangles, statements.positions.size());
+  std::vector<std::uint8_t> used = used_vertices(statements.triangles, statements.positions.size());
   place_positions(statements.positions, used, mesh);
   statements.positions = {};
   result.dropped_triangles = drop_flat_triangles(mesh.positions, statements);
 
-  if (normals == ObjNormals::flat || normals == ObjNormals::smooth) statements.normal_triangles = {};
+  if (normals == ObjNormals::flat || normals == ObjNormals::smooth)
+    statements.normal_triangles = {};
   const bool must_make = normals == ObjNormals::smooth ||
                          (normals == ObjNormals::automatic && lacks_normals(statements));
   if (statements.uv_triangles.empty() && statements.normal_triangles.empty()) {
@@ -207,7 +207,8 @@ ObjMesh build_obj_mesh(ObjStatements& statements, ObjNormals normals, double cre
     if (must_make) adopt(make_normals(mesh.positions, statements, normals, crease), mesh);
     return result;
   }
-  if (must_make) fill_normals(statements, make_normals(mesh.positions, statements, normals, crease));
+  if (must_make)
+    fill_normals(statements, make_normals(mesh.positions, statements, normals, crease));
   weld(statements, mesh);
   return result;
 }

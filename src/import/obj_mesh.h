@@ -12,8 +12,9 @@ struct ObjMesh {
   std::uint32_t dropped_triangles = 0;
 };
 
-/// Makes the mesh that `statements` describe, dropping triangles of zero area. Takes positions, uvs,
-/// normals and triangles out of `statements`, and makes its changes count the triangles of the mesh.
+/// Makes the mesh that `statements` describe, dropping triangles of zero area. Takes positions,
+/// uvs, normals and triangles out of `statements`, and makes its changes count the triangles of the
+/// mesh.
 ObjMesh build_obj_mesh(ObjStatements& statements, ObjNormals normals, double crease);
 
 }  // namespace lapidary::import

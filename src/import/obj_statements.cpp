@@ -1,12 +1,13 @@
 #include "import/obj_statements.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <span>
 #include <unordered_map>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "geometry/triangulate.h"
 #include "import/line_cursor.h"
@@ -145,7 +146,7 @@ void ObjParser::rare_statement(std::string_view keyword) {
       "trim", "hole",   "scrv", "sp",   "end",  "con",  "call",  "csh"};
   // How other programs draw what is there; nothing is lost without.
   static constexpr std::array<std::string_view, 11> attributes{
-      "mg",         "bevel",     "c_interp", "d_interp", "lod",   "shadow_obj",
+      "mg",        "bevel", "c_interp", "d_interp", "lod",   "shadow_obj",
       "trace_obj", "ctech", "stech",    "maplib",   "usemap"};
   if (keyword == "usemtl") return use_material();
   if (keyword == "g" || keyword == "o") return group();
@@ -312,16 +313,17 @@ void ObjParser::use_material() {
 
 void ObjParser::smoothing() {
   cursor_.skip_blanks();
-  out_.states_smoothing = true;
-  std::int64_t number = 0;
-  if (cursor_.integer(number) && cursor_.at_boundary() && number >= 0 && number < none) {
-    return change(out_.smoothing_changes, next_triangle(), static_cast<std::uint32_t>(number));
-  }
+  const Location where = cursor_.here();
   const std::string_view word = cursor_.word();
-  if (word != "off" && word != "on" && !word.empty()) {
-    cursor_.fail("smoothing group is not a number", "write s 1, s 2, ... or s off");
+  std::uint32_t number = word == "on" ? 1 : 0;
+  if (word != "on" && word != "off" && !word.empty()) {
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc() || end != word.data() + word.size()) {
+      throw Error(where, "smoothing group is not a number", "write s 1, s 2, ... or s off");
+    }
   }
-  change(out_.smoothing_changes, next_triangle(), word == "on" ? 1 : 0);
+  out_.states_smoothing = true;
+  change(out_.smoothing_changes, next_triangle(), number);
 }
 
 void ObjParser::group() {
@@ -345,7 +347,8 @@ void ObjParser::finish() {
 }
 
 // Some exporters write v/vt/vn corners into files without any vt or vn: nothing is lost then.
-void ObjParser::drop(References& references, std::vector<ObjStatements::Triangle>& triangles) const {
+void ObjParser::drop(References& references,
+                     std::vector<ObjStatements::Triangle>& triangles) const {
   if (references.line == 0) return;
   warn(references.line, fmt::format("faces refer to {0} indices, but there is no {0} in the file",
                                     references.keyword));

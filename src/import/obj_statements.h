@@ -33,18 +33,18 @@ struct ObjStatements {
 
   std::vector<Vec3d> positions;
   std::vector<Vec2f> uvs;
-  std::vector<Vec3f> normals;  ///< unit length or zero
+  std::vector<Vec3f> normals;              ///< unit length or zero
   std::vector<Triangle> triangles;         ///< into `positions`
   std::vector<Triangle> uv_triangles;      ///< into `uvs` or `none`; empty if no corner has one
   std::vector<Triangle> normal_triangles;  ///< into `normals` or `none`; likewise
 
-  std::vector<ObjName> material_names;        ///< of usemtl, each once
-  std::vector<ObjChange> material_changes;    ///< into `material_names`, or `none`
-  std::vector<std::string> group_names;       ///< of g and o, each statement one
-  std::vector<ObjChange> group_changes;       ///< into `group_names`
-  std::vector<ObjChange> smoothing_changes;   ///< group number, 0 is off
+  std::vector<ObjName> material_names;       ///< of usemtl, each once
+  std::vector<ObjChange> material_changes;   ///< into `material_names`, or `none`
+  std::vector<std::string> group_names;      ///< of g and o, each statement one
+  std::vector<ObjChange> group_changes;      ///< into `group_names`
+  std::vector<ObjChange> smoothing_changes;  ///< group number, 0 is off
   bool states_smoothing = false;
-  std::vector<ObjName> libraries;             ///< of mtllib: the rest of the line
+  std::vector<ObjName> libraries;  ///< of mtllib: the rest of the line
 };
 
 /// Reads all statements. What is skipped is summed up in `warnings`, if not null: one warning a

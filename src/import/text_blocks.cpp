@@ -1,10 +1,10 @@
 #include "import/text_blocks.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+
+#include <fmt/format.h>
 
 #include "base/error.h"
 

@@ -89,11 +89,11 @@ constexpr Matrix fold() {
 // - By Lucas's theorem P(c) is Q(c^2) up to a map of each base-16 digit, so the eight are Q of
 //   eight different numbers, c^2 and c^2 + b, in which b is outside the field of 4: eight of the
 //   sixteen dimensions of Niederreiter's (0, 16)-sequence in base 16.
-// Of the twelve choices of b the one taken has the best pairs (i, j), i < 4 <= j, up to 4096
-// samples, by the sum of their t.
+// All twelve choices of b integrate better than two shuffled sets of four; 1 + g did best on the
+// whole over smooth and discontinuous functions of 2 to 8 dimensions at 16, 64 and 256 samples.
 constexpr std::array<Matrix, 8> make_dimensions() {
   constexpr std::uint32_t a = 2;
-  constexpr std::uint32_t b = 14;
+  constexpr std::uint32_t b = 5;
   const Matrix t = fold();
   const Matrix q = pascal(4, b);
   std::array<Matrix, 8> m{pascal(2, 0), t * pascal(2, 1), pascal(2, a), t * pascal(2, a + 1)};

@@ -41,8 +41,9 @@ struct ParameterInfo {
   Shorthand shorthand = Shorthand::no;
 };
 
-/// How a node is written: as `name { ... }`, or as a plain table where another node has it.
-enum class Form { constructor, table };
+/// How a node is written: as `name { ... }`, as a plain table where another node has it, or as
+/// `object:name { ... }`.
+enum class Form { constructor, table, method };
 
 /// A kind of node as help and messages show it.
 struct NodeInfo {

@@ -73,6 +73,18 @@ Vec3d read_vector(const Value& value, const Context& context, Vec3d rest) {
   return rest;
 }
 
+Vec2d Reader<Vec2d>::read(const Value& value, const Context& context) {
+  const bool pair = value.kind() == ValueKind::table && value.table().items.size() == 2 &&
+                    value.table().fields.empty();
+  if (!pair) fail_type("two numbers {u, v}", value, context);
+  return {Reader<double>::read(value.table().items[0], context.at(0)),
+          Reader<double>::read(value.table().items[1], context.at(1))};
+}
+
+std::string Reader<Vec2d>::text(const Vec2d& v) {
+  return fmt::format("{{{}, {}}}", v.x, v.y);
+}
+
 InputFile Reader<InputFile>::read(const Value& value, const Context& context) {
   if (value.kind() != ValueKind::string) {
     fail_type("the name of a file, in quotes", value, context);

@@ -77,6 +77,14 @@ struct Reader<Vec3d> {
 /// Reads a vector whose components, when only some are named, are otherwise those of `rest`.
 Vec3d read_vector(const Value& value, const Context& context, Vec3d rest);
 
+/// {u, v}.
+template <>
+struct Reader<Vec2d> {
+  static std::string type() { return "{u, v}"; }
+  static Vec2d read(const Value& value, const Context& context);
+  static std::string text(const Vec2d& v);
+};
+
 /// A file that the scene may read.
 struct InputFile {
   std::filesystem::path path;

@@ -58,13 +58,13 @@ TEST(CommandLine, AssignmentsSplitAtTheFirstEqualsSign) {
 TEST(CommandLine, ReadsACompareCommand) {
   const auto c = parse<CompareCommand>(
       {"compare", "a.exr", "b.exr", "--metric", "flip", "--trim", "0.001", "--crop", "1,2,30,40"});
-  EXPECT_EQ(c.metric, Metric::flip);
-  EXPECT_DOUBLE_EQ(c.trim, 0.001);
-  ASSERT_TRUE(c.crop);
-  EXPECT_EQ(c.crop->x, 1);
-  EXPECT_EQ(c.crop->y, 2);
-  EXPECT_EQ(c.crop->width, 30);
-  EXPECT_EQ(c.crop->height, 40);
+  EXPECT_EQ(c.options.metric, image::Metric::flip);
+  EXPECT_DOUBLE_EQ(c.options.trim, 0.001);
+  ASSERT_TRUE(c.options.crop);
+  EXPECT_EQ(c.options.crop->x, 1);
+  EXPECT_EQ(c.options.crop->y, 2);
+  EXPECT_EQ(c.options.crop->width, 30);
+  EXPECT_EQ(c.options.crop->height, 40);
 }
 
 TEST(CommandLine, SaysWhatIsWrong) {

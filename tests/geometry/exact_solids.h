@@ -161,6 +161,15 @@ inline Quad depth(const Solid& solid, const Vec& p) {
   return std::visit([&](const auto& kind) { return depth(kind, p); }, solid);
 }
 
+/// Over how short a distance a face's direction is defined at least.
+inline double least_extent(const Solid& solid) {
+  if (const auto* c = std::get_if<Cylinder>(&solid)) {
+    return std::min(c->radius, length(c->to - c->from));
+  }
+  const auto* box = std::get_if<Box>(&solid);
+  return box ? -max_component(box->min - box->max) : never;
+}
+
 /// Whether the line is parallel, up to the angle `rounding`, to a face or straight line of the
 /// boundary.
 inline bool runs_along_face(const Solid& solid, const ExactLine& line, double rounding) {

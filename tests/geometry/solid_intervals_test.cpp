@@ -1,165 +1,20 @@
-#include <vector>
-
 #include <gtest/gtest.h>
 
-#include "exact_solids.h"
-#include "geometry/placed_solid.h"
+#include "event_checks.h"
+#include "geometry/solid.h"
 #include "hostile_lines.h"
 
 namespace lapidary::geometry {
 namespace {
 
-using exact::Quad;
+using exact::Tally;
 using lapidary::test::Random;
 
-double as_double(Quad x) {
-  return static_cast<double>(x);
-}
-
-/// What came out of comparing many lines of one kind.
-struct Tally {
-  int hits = 0, misses = 0, disagreements = 0;
-  double worst = 0;                   ///< greatest |error| / tau
-  std::vector<double> relative_taus;  ///< tau over the distances involved, of steep hits
-};
-
-struct Case {
-  Solid solid;
-  Line line;
-  exact::ExactLine exact_line;  ///< in the solid's coordinates
-  double scale;                 ///< of distances in the solid's coordinates
-  double rounding;              ///< relative to them, what is accepted in degenerate cases
-};
-
-std::string describe(const Case& c) {
-  std::ostringstream text;
-  text.precision(17);
-  text << "kind " << c.solid.index() << " origin " << c.line.origin.x << ' ' << c.line.origin.y
-       << ' ' << c.line.origin.z << " direction " << c.line.direction.x << ' ' << c.line.direction.y
-       << ' ' << c.line.direction.z;
-  return text.str();
-}
-
-/// Where code and oracle disagree on whether there is a hit at all, the stretch in question must
-/// be within rounding of the surface.
-::testing::AssertionResult check_negligible(const Case& c, Quad enter, Quad leave) {
-  const Quad middle = (enter + leave) / 2;
-  const exact::Vec p = c.exact_line.at(middle);
-  const double depth = as_double(exact::magnitude(exact::depth(c.solid, p)));
-  const double size = c.scale + as_double(exact::length(p - c.exact_line.origin));
-  if (depth <= c.rounding * size) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure()
-         << "code and oracle disagree on a chord at depth " << depth << ", size " << size;
-}
-
-/// A line that runs along a face to within rounding has no bound: there
-/// the stretch in question must be within rounding of the surface, too.
-::testing::AssertionResult check_event(const Case& c, const Event& event, Quad expected,
-                                       Tally& tally) {
-  const double error = as_double(exact::magnitude(Quad(event.t) - expected));
-  if (!std::isfinite(event.tau) || error > event.tau) {
-    if (exact::runs_along_face(c.solid, c.exact_line, c.rounding) &&
-        check_negligible(c, event.t, expected)) {
-      ++tally.disagreements;
-      return ::testing::AssertionSuccess();
-    }
-    return ::testing::AssertionFailure()
-           << "t " << event.t << " is off by " << error << ", bound " << event.tau;
-  }
-  if (event.tau > 0) tally.worst = std::max(tally.worst, error / event.tau);
-  return ::testing::AssertionSuccess();
-}
-
-::testing::AssertionResult check_bounded(const Case& c, const EventBuffer& events, Tally& tally) {
-  const exact::Stretch expected = exact::inside(c.solid, c.exact_line);
-  if (events.inside_at_start()) return ::testing::AssertionFailure() << "inside at infinity";
-  if (events.empty()) {
-    ++tally.misses;
-    if (expected.empty()) return ::testing::AssertionSuccess();
-    ++tally.disagreements;
-    return check_negligible(c, expected.enter, expected.leave);
-  }
-  if (events.size() != 2 || events[0].crossing != Crossing::enter ||
-      events[1].crossing != Crossing::leave || !(events[0].t < events[1].t)) {
-    return ::testing::AssertionFailure() << "events do not alternate";
-  }
-  if (expected.empty()) {
-    ++tally.disagreements;
-    return check_negligible(c, events[0].t, events[1].t);
-  }
-  ++tally.hits;
-  const auto first = check_event(c, events[0], expected.enter, tally);
-  return first ? check_event(c, events[1], expected.leave, tally) : first;
-}
-
-::testing::AssertionResult check_half_space(const Case& c, const EventBuffer& events,
-                                            Tally& tally) {
-  const auto& h = std::get<HalfSpace>(c.solid);
-  const exact::Stretch expected = exact::inside(h, c.exact_line);
-  if (events.empty()) {
-    ++tally.misses;
-    const exact::Vec n(h.normal);
-    const Quad slope = exact::dot(n, c.exact_line.direction);
-    const double size = as_double(exact::length(n) * exact::length(c.exact_line.direction));
-    if (std::abs(as_double(slope)) > c.rounding * size) {
-      return ::testing::AssertionFailure() << "not parallel, but no event";
-    }
-    const double depth = as_double(exact::depth(h, c.exact_line.origin));
-    if (std::abs(depth) > c.rounding * c.scale && (depth > 0) != events.inside_at_start()) {
-      return ::testing::AssertionFailure() << "parallel on the wrong side";
-    }
-    return ::testing::AssertionSuccess();
-  }
-  const bool leaves = events[0].crossing == Crossing::leave;
-  if (events.size() != 1 || events.inside_at_start() != leaves ||
-      leaves != (expected.leave < Quad(exact::never))) {
-    return ::testing::AssertionFailure() << "wrong side at the start";
-  }
-  ++tally.hits;
-  return check_event(c, events[0], leaves ? expected.leave : expected.enter, tally);
-}
-
-::testing::AssertionResult check(const Case& c, const EventBuffer& events, Tally& tally) {
-  const auto result =
-      c.solid.index() == 2 ? check_half_space(c, events, tally) : check_bounded(c, events, tally);
-  if (!result) return ::testing::AssertionFailure() << result.message() << ", " << describe(c);
-  const double d = length(c.line.direction);
-  for (const Event& e : events) {
-    const double reach = length(c.line.origin) + d * std::abs(e.t);
-    tally.relative_taus.push_back(e.tau * d / reach);
-  }
-  return result;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-double distance_scale(const Solid& solid, const Line& line) {
-  const Vec3d reference = std::visit(
-      [](const auto& kind) {
-        if constexpr (requires { kind.center; })
-          return kind.center;
-        else if constexpr (requires { kind.min; })
-          return kind.min;
-        else if constexpr (requires { kind.point; })
-          return kind.point;
-        else
-          return kind.from;
-      },
-      solid);
-  const Box3d box = bounds(solid);
-  return length(line.origin - reference) + (box.bounded() ? length(box.extent()) : 0.0);
-}
-
 Line line_at(const Solid& solid, const hostile::Setting& setting, Random& random) {
-  const bool is_half_space = solid.index() == 2;
   if (random.index(4) != 0) return hostile::line(setting, random);
-  const BoundaryPoint b = sample_boundary(solid, random.uniform2(), random.uniform());
-  return hostile::grazing_line(b.p, b.normal, is_half_space ? setting.scale : setting.scale,
-                               random);
+  const Vec2d u = random.uniform2();
+  const BoundaryPoint b = sample_boundary(solid, u, random.uniform());
+  return hostile::grazing_line(b.p, b.normal, setting.scale, random);
 }
 
 template <typename MakeSolid>
@@ -172,9 +27,9 @@ Tally compare(MakeSolid make, std::uint64_t seed, int lines) {
     const Solid solid = make(setting, random);
     const Line line = line_at(solid, setting, random);
     intervals(solid, line, events);
-    const Case c{solid, line, exact::exact_line(line), distance_scale(solid, line),
-                 64 * unit_roundoff};
-    const auto result = check(c, events, tally);
+    const exact::Case c{solid, line, exact::exact_line(line), exact::distance_scale(solid, line),
+                        64 * unit_roundoff};
+    const auto result = exact::check(c, events, tally);
     EXPECT_TRUE(result) << "line " << i;
     if (!result) break;
   }
@@ -184,31 +39,17 @@ Tally compare(MakeSolid make, std::uint64_t seed, int lines) {
 
 constexpr int lines_per_kind = 200000;
 
-/// The bounds hold on every line, and they are not idle: the worst error comes within a factor of
-/// ten of its bound, so bounds a hundred times smaller would fail.
-void expect_tight(const Tally& tally) {
-  EXPECT_GT(tally.worst, 0.1);
-  EXPECT_LT(median(tally.relative_taus), 1e-14);
-  ::testing::Test::RecordProperty("worst_error_over_tau", std::to_string(tally.worst));
-  ::testing::Test::RecordProperty("hits", tally.hits);
-  ::testing::Test::RecordProperty("misses", tally.misses);
-  ::testing::Test::RecordProperty("disagreements", tally.disagreements);
-  if (getenv("TALLY"))
-    printf("hits %d misses %d disagree %d worst %g median tau %g\n", tally.hits, tally.misses,
-           tally.disagreements, tally.worst, median(tally.relative_taus));
-}
-
 TEST(SolidIntervals, OfSpheresStayWithinTheirBounds) {
-  expect_tight(compare(hostile::sphere, 1, lines_per_kind));
+  exact::expect_tight(compare(hostile::sphere, 1, lines_per_kind), 1e-14);
 }
 TEST(SolidIntervals, OfBoxesStayWithinTheirBounds) {
-  expect_tight(compare(hostile::box, 2, lines_per_kind));
+  exact::expect_tight(compare(hostile::box, 2, lines_per_kind), 1e-14);
 }
 TEST(SolidIntervals, OfHalfSpacesStayWithinTheirBounds) {
-  expect_tight(compare(hostile::half_space, 3, lines_per_kind));
+  exact::expect_tight(compare(hostile::half_space, 3, lines_per_kind), 1e-14);
 }
 TEST(SolidIntervals, OfCylindersStayWithinTheirBounds) {
-  expect_tight(compare(hostile::cylinder, 4, lines_per_kind));
+  exact::expect_tight(compare(hostile::cylinder, 4, lines_per_kind), 1e-14);
 }
 
 }  // namespace

@@ -47,6 +47,8 @@ inline std::string bytes_of(const std::string& path) {
 }
 
 inline void put_bytes(const std::string& path, const std::string& bytes) {
+  // Truncating an existing file waits for the disk on ext4; a new one does not.
+  fs::remove(path);
   std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
 }
 

@@ -403,7 +403,8 @@ TEST(BadFile, GiganticClaimsAreRefusedAtOnce) {
        {png::file({0x7FFFFFFF, 0x7FFFFFFF, 8, png::rgb}, "", {"abc"}),
         png::file({1 << 20, 1 << 20, 8, png::grey}, "", {"abc"}), jpeg,
         radiance("-Y 100000 +X 100000", "abcd"), radiance("-Y 4294967295 +X 4294967295", "abcd"),
-        exr_claiming(1 << 20, 1 << 20), exr_claiming(0x7FFFFFFF, 2), exr_claiming(2, 0x7FFFFFFF)}) {
+        exr_claiming(1 << 20, 1 << 20), exr_claiming(0x7FFFFFFF, 2), exr_claiming(2, 0x7FFFFFFF),
+        exr_claiming(1, (1 << 20) + 1)}) {
     EXPECT_THAT(refusal_of(bytes), HasSubstr("the limit is 268 million"));
   }
   EXPECT_THAT(refusal_of(exr_claiming(-5, 4)), HasSubstr("without pixels"));

@@ -1,0 +1,108 @@
+#include "app/load_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+#include <numbers>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "import/mesh_file.h"
+#include "lua/load_scene.h"
+#include "render/render.h"
+#include "scene/studio.h"
+
+namespace lapidary::app {
+namespace {
+
+enum class SceneKind { lua, obj };
+
+SceneKind kind_of(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".lua") return SceneKind::lua;
+  if (extension == ".obj") return SceneKind::obj;
+  throw file_error(file, "is neither a scene nor a mesh by its name",
+                   "scenes end in .lua, meshes in .obj");
+}
+
+description::SceneDescription load_lua(const SceneArguments& arguments, WarningLog& warnings) {
+  if (!arguments.up.empty()) {
+    throw UsageError("--up is for bare meshes", "a scene turns its meshes itself, with :rotate");
+  }
+  lua::LoadOptions options;
+  for (const auto& [name, value] : arguments.parameters) options.settings.emplace_back(name, value);
+  options.allowed.assign(arguments.allowed_folders.begin(), arguments.allowed_folders.end());
+  options.warnings = &warnings;
+  options.print = [](std::string_view line) { fmt::print(stderr, "{}\n", line); };
+  return lua::load_scene(arguments.file, options).scene;
+}
+
+Transform world_from_mesh(const std::string& up) {
+  // The shortest turn that brings the axis to z; OBJ files are y-up unless told otherwise.
+  constexpr double quarter = std::numbers::pi / 2;
+  if (up == "z") return {};
+  if (up == "x") return Transform::rotation({0, 1, 0}, -quarter);
+  return Transform::rotation({1, 0, 0}, quarter);
+}
+
+description::SceneDescription load_obj(const SceneArguments& arguments, WarningLog& warnings) {
+  if (!arguments.parameters.empty()) {
+    throw UsageError("--set is for scenes; a bare mesh has no parameters");
+  }
+  // Read as it is, and turned here, where any axis may be up.
+  const description::ObjectPtr mesh =
+      import::MeshFiles(&warnings).read(arguments.file, {.up = import::UpAxis::z});
+  description::SceneDescription scene;
+  scene.objects = {description::moved(*mesh, world_from_mesh(arguments.up))};
+  return scene;
+}
+
+/// Stop rules of the command line replace all of the scene's; the other settings change singly.
+void apply_settings(const std::vector<Assignment>& settings, description::RenderSettings& render) {
+  constexpr std::array<std::string_view, 3> stop_rules = {"samples", "time", "noise"};
+  const auto is_stop_rule = [&](const Assignment& setting) {
+    return std::ranges::find(stop_rules, setting.name) != stop_rules.end();
+  };
+  if (std::ranges::any_of(settings, is_stop_rule)) {
+    render.samples.reset();
+    render.time.reset();
+    render.noise.reset();
+  }
+  for (const Assignment& setting : settings) {
+    description::apply_render_override(render, setting.name, setting.value);
+  }
+}
+
+}  // namespace
+
+description::SceneDescription load_scene(const SceneArguments& arguments,
+                                         const std::vector<Assignment>& settings,
+                                         WarningLog& warnings) {
+  const SceneKind kind = kind_of(arguments.file);
+  description::SceneDescription scene =
+      kind == SceneKind::lua ? load_lua(arguments, warnings) : load_obj(arguments, warnings);
+  apply_settings(settings, scene.render);
+  if (kind == SceneKind::lua) {
+    scene::add_missing_studio(scene);
+  } else {
+    scene::stand_in_studio(scene);
+  }
+  return scene;
+}
+
+void check_settings(const std::vector<Assignment>& settings) {
+  try {
+    description::RenderSettings scratch;
+    apply_settings(settings, scratch);
+    render::check_size(scratch.size);
+  } catch (const Error& error) {
+    throw UsageError(fmt::format("{}: {}", to_string(error.where()), error.problem()),
+                     error.hint());
+  }
+}
+
+}  // namespace lapidary::app

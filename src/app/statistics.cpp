@@ -1,0 +1,49 @@
+#include "app/statistics.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+namespace lapidary::app {
+namespace {
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+}  // namespace
+
+std::string to_json(const RunStatistics& s) {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const render::BlockTally& tally = s.render.tally;
+  nlohmann::ordered_json json = {
+      {"version", LAPIDARY_VERSION},
+      {"ended", s.render.ending == render::Ending::complete ? "complete" : "interrupted"},
+      {"scene",
+       {{"objects", s.scene.objects},
+        {"operands", s.scene.operands},
+        {"triangles", s.scene.triangles},
+        {"lights", s.scene.lights}}},
+      {"size", {s.size.width, s.size.height}},
+      {"seconds",
+       {{"load", s.seconds.load},
+        {"build", s.seconds.build},
+        {"photons", 0.0},
+        {"render", s.seconds.render},
+        {"write", s.seconds.write}}},
+      {"cpu_seconds", seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime)},
+      {"samples_per_pixel", s.samples_per_pixel},
+      {"rays", tally.counters.nearest_queries + tally.counters.occlusion_queries},
+      {"photons", 0},
+      {"peak_rss_bytes", static_cast<std::uint64_t>(usage.ru_maxrss) * 1024},
+      {"threads", s.threads},
+      {"nan_samples", tally.faults.not_finite},
+      {"saturated_samples", tally.faults.saturated},
+      {"noise", nullptr}};
+  if (std::isfinite(s.render.noise)) json["noise"] = s.render.noise;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace lapidary::app

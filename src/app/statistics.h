@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "description/settings.h"
+#include "render/render.h"
+#include "scene/scene.h"
+
+namespace lapidary::app {
+
+/// Wall seconds of the phases of a run, one after the other.
+struct PhaseSeconds {
+  double load = 0;
+  double build = 0;
+  double render = 0;
+  double write = 0;
+};
+
+/// What a run of `lapidary render` did and what it took.
+struct RunStatistics {
+  scene::SceneCounts scene;
+  description::PictureSize size;
+  PhaseSeconds seconds;
+  std::uint64_t samples_per_pixel = 0;
+  int threads = 0;
+  render::Statistics render;
+};
+
+/// As JSON, with what the operating system says about the process: CPU time and memory.
+std::string to_json(const RunStatistics& statistics);
+
+}  // namespace lapidary::app

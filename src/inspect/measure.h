@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "description/leaves.h"
+#include "math/interval.h"
+
+namespace lapidary::inspect {
+
+/// The size of one object where it stands, in scene units.
+struct Measure {
+  Box3d bounds;  ///< of the boundary; may be infinite
+  /// Of the surface, one side; nothing where it is infinite.
+  std::optional<double> area;
+  /// Nothing where it is infinite, and for sheets. Of a mesh by Gauss's theorem, which means
+  /// something only when the mesh is closed; negative when it is inside out.
+  std::optional<double> volume;
+};
+
+/// Precondition: the leaf's content is no group.
+Measure measure(const description::Leaf& leaf);
+
+}  // namespace lapidary::inspect

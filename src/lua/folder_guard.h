@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "schema/context.h"
+
+namespace lapidary::lua {
+
+/// Lets a scene reach the files under its own folder, under folders it was allowed, and files it
+/// was given, and no others: symbolic links and ".." are followed first.
+class FolderGuard : public schema::FileAccess {
+ public:
+  /// `allowed` are folders or files.
+  FolderGuard(const std::filesystem::path& scene_folder,
+              const std::vector<std::filesystem::path>& allowed);
+
+  /// The regular file that a scene calls `written`: relative to the scene's folder, else to an
+  /// allowed folder.
+  std::filesystem::path resolve(std::string_view written,
+                                const schema::Context& context) const override;
+
+  /// Whether `file` may be read.
+  bool allows(const std::filesystem::path& file) const;
+
+  /// `file`, which `resolve` gave, as users know it: the way the scene's own path was written.
+  std::string shown(const std::filesystem::path& file) const;
+
+ private:
+  std::filesystem::path scene_folder_;        ///< as written
+  std::vector<std::filesystem::path> roots_;  ///< canonical; the scene's folder first
+};
+
+}  // namespace lapidary::lua

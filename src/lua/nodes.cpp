@@ -1,0 +1,202 @@
+#include "lua/nodes.h"
+
+#include <new>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "lua/interpreter.h"
+#include "lua/values.h"
+#include "schema/suggest.h"
+
+namespace lapidary::lua {
+namespace {
+
+using description::Method;
+using description::Object;
+using schema::Node;
+using schema::NodeKind;
+
+// Two metatables: objects have methods, other nodes have none.
+constexpr auto object_type = "lapidary.object";
+constexpr auto node_type = "lapidary.node";
+
+int collect(lua_State* L) {
+  auto* node = static_cast<Node*>(lua_touserdata(L, 1));
+  Interpreter::of(L).budget().give_back_memory(node->bytes);
+  node->~Node();
+  return 0;
+}
+
+int to_text(lua_State* L) {
+  const Node* node = node_at(L, 1);
+  if (!node) throw Error({}, "this is no node");
+  lua_pushlstring(L, node->kind.data(), node->kind.size());
+  return 1;
+}
+
+/// Takes memory for a node; collects garbage first when there is too little.
+void take_memory(lua_State* L, std::size_t bytes) {
+  Budget& budget = Interpreter::of(L).budget();
+  if (budget.take_memory(bytes)) return;
+  lua_gc(L, LUA_GCCOLLECT);
+  if (!budget.take_memory(bytes)) throw budget.memory_error({});
+}
+
+/// Upvalue 1: the NodeKind.
+int construct(lua_State* L) {
+  const auto& kind = *static_cast<const NodeKind*>(lua_touserdata(L, lua_upvalueindex(1)));
+  Interpreter& interpreter = Interpreter::of(L);
+  interpreter.arena().clear();
+  const schema::Value argument = arguments_to_value(L, 1);
+  const schema::Call call{kind.info.name, interpreter.call_site(L), &interpreter.files()};
+  push_node(L, kind.construct(argument, call));
+  return 1;
+}
+
+/// Upvalue 1: the Method.
+int apply_method(lua_State* L) {
+  const auto& method = *static_cast<const Method*>(lua_touserdata(L, lua_upvalueindex(1)));
+  const std::string& name = method.info.name;
+  const Node* node = node_at(L, 1);
+  const auto object = node ? node->as<Object>() : nullptr;
+  if (!object) {
+    throw Error({}, fmt::format("{} must be called on an object", name),
+                fmt::format("write object:{} with a colon", name));
+  }
+  Interpreter& interpreter = Interpreter::of(L);
+  interpreter.arena().clear();
+  const schema::Value argument = arguments_to_value(L, 2);
+  const schema::Call call{name, interpreter.call_site(L), &interpreter.files()};
+  push_node(L, Node::of<Object>(node->kind, method.apply(*object, argument, call),
+                                sizeof(Object) + sizeof(Transform)));
+  return 1;
+}
+
+std::string_view key_at(lua_State* L, int index) {
+  if (lua_type(L, index) != LUA_TSTRING) return luaL_typename(L, index);
+  std::size_t size = 0;
+  const char* text = lua_tolstring(L, index, &size);
+  return {text, size};
+}
+
+/// __index of the table of methods (upvalue 1: a light userdata of the span): reached only by names
+/// that are none.
+int unknown_method(lua_State* L) {
+  const auto& methods =
+      *static_cast<const std::vector<std::string_view>*>(lua_touserdata(L, lua_upvalueindex(1)));
+  const std::string_view key = key_at(L, 2);
+  std::string hint = schema::did_you_mean(key, methods);
+  if (hint.empty()) hint = fmt::format("they have {}", fmt::join(methods, ", "));
+  throw Error({}, fmt::format("objects have no method '{}'", key), std::move(hint));
+}
+
+int no_method(lua_State* L) {
+  const Node* node = node_at(L, 1);
+  throw Error({}, fmt::format("a {} has no '{}'", node ? node->kind : "node", key_at(L, 2)),
+              "only objects have methods");
+}
+
+int no_assignment(lua_State* L) {
+  const Node* node = node_at(L, 1);
+  throw Error({}, fmt::format("a {} cannot be changed", node ? node->kind : "node"),
+              "methods return changed copies");
+}
+
+/// Upvalue 1: the operator's sign.
+int combine(lua_State* L) {
+  const std::string_view sign = lua_tostring(L, lua_upvalueindex(1));
+  throw Error({}, fmt::format("combining solids with '{}' is not available in this version", sign),
+              "group { a, b } holds several objects together");
+}
+
+void set_function(lua_State* L, const char* field, lua_CFunction function) {
+  lua_pushcfunction(L, function);
+  lua_setfield(L, -2, field);
+}
+
+/// Leaves the metatable `type` on the stack with what all nodes have.
+void new_node_metatable(lua_State* L, const char* type) {
+  luaL_newmetatable(L, type);
+  set_function(L, "__gc", collect);
+  set_function(L, "__tostring", guarded<to_text>);
+  set_function(L, "__newindex", guarded<no_assignment>);
+  lua_pushliteral(L, "node");
+  lua_setfield(L, -2, "__metatable");
+}
+
+void set_operators(lua_State* L) {
+  constexpr std::pair<const char*, const char*> operators[] = {
+      {"__add", "+"}, {"__sub", "-"}, {"__band", "&"}, {"__bor", "|"}, {"__bnot", "~"}};
+  for (const auto& [field, sign] : operators) {
+    lua_pushstring(L, sign);
+    lua_pushcclosure(L, guarded<combine>, 1);
+    lua_setfield(L, -2, field);
+  }
+}
+
+/// Pushes a copy of the names of `methods` that lives as long as Lua does.
+void push_names(lua_State* L, std::span<const Method> methods) {
+  using Names = std::vector<std::string_view>;
+  void* place = lua_newuserdatauv(L, sizeof(Names), 0);
+  auto* names = new (place) Names;
+  lua_newtable(L);
+  set_function(L, "__gc", [](lua_State* state) {
+    static_cast<Names*>(lua_touserdata(state, 1))->~Names();
+    return 0;
+  });
+  lua_setmetatable(L, -2);
+  for (const Method& method : methods) names->push_back(method.info.name);
+}
+
+/// A closure over `data`, which outlives it.
+template <typename T>
+void push_closure(lua_State* L, lua_CFunction function, const T& data) {
+  lua_pushlightuserdata(L, const_cast<T*>(&data));
+  lua_pushcclosure(L, function, 1);
+}
+
+}  // namespace
+
+const Node* node_at(lua_State* L, int index) {
+  void* node = luaL_testudata(L, index, object_type);
+  if (!node) node = luaL_testudata(L, index, node_type);
+  return static_cast<const Node*>(node);
+}
+
+void push_node(lua_State* L, Node node) {
+  const char* type = *node.type == typeid(Object) ? object_type : node_type;
+  take_memory(L, node.bytes);
+  void* place = lua_newuserdatauv(L, sizeof(Node), 0);
+  new (place) Node(std::move(node));
+  luaL_setmetatable(L, type);
+}
+
+void open_nodes(lua_State* L, std::span<const NodeKind> kinds, std::span<const Method> methods) {
+  new_node_metatable(L, node_type);
+  set_function(L, "__index", guarded<no_method>);
+  lua_pop(L, 1);
+
+  new_node_metatable(L, object_type);
+  set_operators(L);
+  lua_newtable(L);
+  for (const Method& method : methods) {
+    push_closure(L, guarded<apply_method>, method);
+    lua_setfield(L, -2, method.info.name.c_str());
+  }
+  lua_newtable(L);
+  push_names(L, methods);
+  lua_pushcclosure(L, guarded<unknown_method>, 1);
+  lua_setfield(L, -2, "__index");
+  lua_setmetatable(L, -2);
+  lua_setfield(L, -2, "__index");
+  lua_pop(L, 1);
+
+  for (const NodeKind& kind : kinds) {
+    if (!kind.construct) continue;
+    push_closure(L, guarded<construct>, kind);
+    lua_setglobal(L, kind.info.name.c_str());
+  }
+}
+
+}  // namespace lapidary::lua

@@ -1,0 +1,84 @@
+#include "render/block.h"
+
+#include <algorithm>
+#include <mutex>
+#include <vector>
+
+#include "sampling/sobol.h"
+
+namespace lapidary::render {
+namespace {
+
+// Numbers that all pixels of a pass share (`pass_sample`).
+constexpr std::uint32_t wavelength_dimension = 0;
+
+BlockTally& operator+=(BlockTally& a, const BlockTally& b) {
+  a.counters += b.counters;
+  a.faults += b.faults;
+  return a;
+}
+
+}  // namespace
+
+/// What all pixels of a pass share: photons and camera paths can only meet at the same wavelengths.
+struct BlockRenderer::Pass {
+  std::uint32_t index;
+  Wavelengths wavelengths;
+};
+
+film::PixelSample BlockRenderer::sample_pixel(Vec2d size, int x, int y, const Pass& pass,
+                                              transport::Counters& counters) const {
+  const PixelSampler points(settings_.seed, static_cast<std::uint32_t>(x),
+                            static_cast<std::uint32_t>(y), pass.index);
+  const auto u = points.block(0);
+  const Vec2d offset = settings_.filter.sample({u[0], u[1]});
+  const Vec2d film{(x + 0.5 + offset.x) / size.x, (y + 0.5 + offset.y) / size.y};
+  geometry::Ray ray = camera::generate_ray(scene_.camera(), film, {u[2], u[3]});
+  ray.time = u[4];
+
+  transport::FirstSurface first;
+  const SampledSpectrum L = tracer_.radiance(ray, {pass.wavelengths, points, counters}, first);
+  return {pass.wavelengths.to_rgb(L), first.albedo, Vec3f(first.normal),
+          static_cast<float>(first.depth), first.object};
+}
+
+void BlockRenderer::render_pixel(int x, int y, std::span<const Pass> passes, film::Film& film,
+                                 BlockTally& tally) const {
+  const Vec2d size{static_cast<double>(film.width()), static_cast<double>(film.height())};
+  film::PixelSums sums;
+  for (const Pass& pass : passes) {
+    film.add(sample_pixel(size, x, y, pass, tally.counters), pass.index, sums, tally.faults);
+  }
+  film.add_block(x, y, sums);
+}
+
+BlockTally BlockRenderer::render(PassRange range, film::Film& film, ThreadPool& pool) const {
+  const double rotation = pass_sample(settings_.seed, 0, wavelength_dimension);
+  std::vector<Pass> passes;
+  for (std::uint32_t p = range.begin; p < range.end; ++p) {
+    passes.push_back({p, Wavelengths::sample(Wavelengths::pass_stratum(p, rotation))});
+  }
+  const int columns = (film.width() + tile_ - 1) / tile_;
+  const int rows = (film.height() + tile_ - 1) / tile_;
+  std::mutex mutex;
+  BlockTally total;
+  const auto tiles = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  pool.parallel_for(tiles, 1, [&](IndexRange some) {
+    BlockTally tally;
+    for (std::size_t tile = some.begin; tile < some.end; ++tile) {
+      const int x0 = static_cast<int>(tile % static_cast<std::size_t>(columns)) * tile_;
+      const int y0 = static_cast<int>(tile / static_cast<std::size_t>(columns)) * tile_;
+      for (int y = y0; y < std::min(y0 + tile_, film.height()); ++y) {
+        for (int x = x0; x < std::min(x0 + tile_, film.width()); ++x) {
+          render_pixel(x, y, passes, film, tally);
+        }
+      }
+    }
+    const std::lock_guard lock(mutex);
+    total += tally;
+  });
+  film.finish_block(range.size());
+  return total;
+}
+
+}  // namespace lapidary::render

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+
+#include "base/parallel.h"
+#include "film/film.h"
+#include "sampling/filter.h"
+#include "scene/scene.h"
+#include "transport/path.h"
+
+namespace lapidary::render {
+
+/// A half-open range of passes over the whole picture: the unit of progress, of stopping, and of
+/// anything that renders part of a picture. A pass is one camera sample for every pixel.
+struct PassRange {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  std::uint32_t size() const { return end - begin; }
+};
+
+/// How many passes a block has: few enough that a large picture still stops soon.
+constexpr std::uint32_t passes_per_block(int width, int height) {
+  return static_cast<std::int64_t>(width) * height <= 2'000'000 ? 4 : 1;
+}
+
+/// What determines the value of every sample, and nothing else.
+struct SampleSettings {
+  transport::PathSettings path;
+  FilterSampler filter;
+  std::uint64_t seed = 0;
+};
+
+/// What rendering a block cost and met.
+struct BlockTally {
+  transport::Counters counters;
+  film::SampleFaults faults;
+};
+
+/// Renders blocks of passes into a film. Blocks may come in any order and from any machine: the
+/// film's sums are the same.
+class BlockRenderer {
+ public:
+  /// `tile` is the side, in pixels, of the squares that threads take; it changes no result.
+  BlockRenderer(const scene::Scene& scene, const SampleSettings& settings, int tile = 16)
+      : scene_(scene), settings_(settings), tracer_(scene, settings.path), tile_(tile) {}
+
+  BlockTally render(PassRange passes, film::Film& film, ThreadPool& pool) const;
+
+ private:
+  struct Pass;
+  void render_pixel(int x, int y, std::span<const Pass> passes, film::Film& film,
+                    BlockTally& tally) const;
+  film::PixelSample sample_pixel(Vec2d size, int x, int y, const Pass& pass,
+                                 transport::Counters& counters) const;
+
+  const scene::Scene& scene_;
+  SampleSettings settings_;
+  transport::PathTracer tracer_;
+  int tile_;
+};
+
+}  // namespace lapidary::render

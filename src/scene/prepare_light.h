@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+
+#include "description/light.h"
+#include "description/material.h"
+#include "geometry/placed_solid.h"
+#include "geometry/sheet.h"
+#include "geometry/triangle_scene.h"
+#include "light/light.h"
+
+namespace lapidary::scene {
+
+/// A light of the scene's `lights` list. `metres` is the length of a scene unit. Reads image files;
+/// throws Error for those that cannot be used.
+light::Light prepare_light(const description::Light& light, double metres);
+
+/// Makes the lights that surfaces are which wear an emissive material.
+class SurfaceLights {
+ public:
+  /// `metres` is the length of a scene unit.
+  explicit SurfaceLights(double metres) : metres_(metres) {}
+
+  /// Throws Error at `where` for solids that have no finite surface.
+  light::Light solid(const geometry::PlacedSolid& solid, const description::Emission& emission,
+                     const schema::CallSite& where) const;
+  light::Light sheet(const geometry::Sheet& sheet, const description::Emission& emission) const;
+  /// The triangles of `placement` that `chosen` lists.
+  light::Light mesh(const geometry::MeshPlacement& placement, std::span<const std::uint32_t> chosen,
+                    const description::Emission& emission) const;
+
+ private:
+  /// Of a surface of `area` square scene units.
+  Spectrum radiance(const description::Emission& emission, double area) const;
+
+  double metres_;
+};
+
+}  // namespace lapidary::scene

@@ -1,0 +1,40 @@
+#include "scene/scene.h"
+
+namespace lapidary::scene {
+namespace {
+
+/// The sphere around everything bounded, for the power of lights beyond it.
+double radius(const Box3d& box) {
+  return box.empty() ? 1.0 : 0.5 * length(box.extent());
+}
+
+}  // namespace
+
+Scene::Scene(Parts parts) : parts_(std::move(parts)) {
+  if (!parts_.lights.empty()) selector_.emplace(parts_.lights, radius(parts_.world.bounds()));
+  for (std::uint32_t i = 0; i < parts_.lights.size(); ++i) {
+    if (light::is_infinite(parts_.lights[i])) infinite_lights_.push_back(i);
+  }
+}
+
+const Slot& Scene::slot(const geometry::Hit& hit) const {
+  switch (hit.kind) {
+    case geometry::SurfaceKind::solid:
+      return parts_.slots[parts_.solid_slots[hit.index]];
+    case geometry::SurfaceKind::sheet:
+      return parts_.slots[parts_.sheet_slots[hit.index]];
+    case geometry::SurfaceKind::triangle:
+    case geometry::SurfaceKind::none:
+      break;
+  }
+  const geometry::TriangleMesh& mesh = *parts_.world.triangles().placement(hit.index).mesh;
+  const std::uint32_t part = mesh.materials.empty() ? 0 : mesh.materials[hit.triangle];
+  return parts_.slots[parts_.mesh_slots[hit.index] + part];
+}
+
+SceneCounts Scene::counts() const {
+  return {parts_.objects.size(), parts_.world.solids().size(),
+          parts_.world.triangles().triangle_count(), parts_.lights.size()};
+}
+
+}  // namespace lapidary::scene

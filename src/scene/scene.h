@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "bsdf/bsdf.h"
+#include "camera/camera.h"
+#include "geometry/world.h"
+#include "light/light.h"
+#include "light/light_selector.h"
+
+namespace lapidary::scene {
+
+/// What a surface is made of.
+using Material = std::variant<bsdf::Matte, bsdf::Metal, bsdf::Glass, bsdf::Black>;
+
+/// A material with what does not depend on where it is hit.
+struct PreparedMaterial {
+  Material material;
+  Rgb albedo;  ///< share of D65 light that it scatters, for the albedo layer; linear Rec. 709
+};
+
+/// What one part of an object wears: an object has one slot, a mesh with several materials one for
+/// each of them.
+struct Slot {
+  static constexpr std::uint32_t no_light = ~0u;
+  std::uint32_t object = 0;
+  std::uint32_t material = 0;
+  std::uint32_t light = no_light;
+};
+
+struct ObjectInfo {
+  std::string name;  ///< may be empty
+};
+
+/// Numbers about a scene, for people.
+struct SceneCounts {
+  std::size_t objects = 0;
+  std::size_t operands = 0;  ///< leaves of solids
+  std::size_t triangles = 0;
+  std::size_t lights = 0;
+};
+
+/// Everything that light transport reads. Immutable once built and shared by all threads.
+class Scene {
+ public:
+  struct Parts {
+    geometry::World world;
+    camera::Camera camera;
+    std::vector<ObjectInfo> objects;
+    std::vector<PreparedMaterial> materials;
+    std::vector<Slot> slots;
+    /// First slot of each solid, sheet and mesh placement of the world.
+    std::vector<std::uint32_t> solid_slots, sheet_slots, mesh_slots;
+    std::vector<light::Light> lights;
+  };
+
+  explicit Scene(Parts parts);
+
+  const geometry::World& world() const { return parts_.world; }
+  const camera::Camera& camera() const { return parts_.camera; }
+
+  const Slot& slot(const geometry::Hit& hit) const;
+  const PreparedMaterial& material(const Slot& slot) const {
+    return parts_.materials[slot.material];
+  }
+  const ObjectInfo& object(std::uint32_t index) const { return parts_.objects[index]; }
+
+  const std::vector<light::Light>& lights() const { return parts_.lights; }
+  /// Chooses lights in proportion to their power; nullptr in a scene without any.
+  const light::LightSelector* light_selector() const { return selector_ ? &*selector_ : nullptr; }
+  /// The lights that rays which hit nothing meet.
+  const std::vector<std::uint32_t>& infinite_lights() const { return infinite_lights_; }
+
+  SceneCounts counts() const;
+
+ private:
+  Parts parts_;
+  std::optional<light::LightSelector> selector_;
+  std::vector<std::uint32_t> infinite_lights_;
+};
+
+}  // namespace lapidary::scene

@@ -1,0 +1,171 @@
+#include "transport/path.h"
+
+#include <algorithm>
+
+#include "sampling/mis.h"
+#include "transport/vertex.h"
+
+namespace lapidary::transport {
+namespace {
+
+using bsdf::Carried;
+using bsdf::Lobe;
+using geometry::Hit;
+using geometry::Ray;
+using geometry::Surface;
+using geometry::SurfaceKind;
+
+/// A shadow ray ends this much before the light, whose sampled point lies on its surface only
+/// within rounding: of doubles, and for triangles, which are traced in float, of floats.
+constexpr double just_before_light = 1.0 - 1e-6;
+
+/// Which of a vertex's eight dimensions decides what. Neighbours (0,1), (2,3) are stratified
+/// together, so they go to the two-dimensional choices.
+struct VertexPoints {
+  explicit VertexPoints(const PixelSampler& points, int depth)
+      : u(points.block(1 + static_cast<std::uint32_t>(depth))) {}
+
+  Vec2d light_position() const { return {u[0], u[1]}; }
+  Vec2d direction() const { return {u[2], u[3]}; }
+  double light_choice() const { return u[4]; }
+  double lobe_choice() const { return u[5]; }
+  double roulette() const { return u[6]; }
+
+  Block8 u;
+};
+
+/// A path from the camera while it grows.
+class Path {
+ public:
+  Path(const scene::Scene& scene, const PathSettings& settings, const SampleContext& context)
+      : scene_(scene), settings_(settings), context_(context) {}
+
+  SampledSpectrum trace(const Ray& camera_ray, FirstSurface& first);
+
+ private:
+  /// What the last scattering event was, as far as MIS needs it.
+  struct Origin {
+    Vec3d p;
+    double pdf = 0;  ///< of the direction taken, per solid angle
+    Lobe lobe = Lobe::specular;
+  };
+
+  /// What a light sends along `ray_`, weighted against light sampling, which could have found it.
+  SampledSpectrum light_met(std::uint32_t light, const light::LightHit& hit) const;
+  SampledSpectrum direct_light(const Vertex& vertex, const VertexPoints& points);
+  /// Turns `ray_` into the next direction; false when the path ends.
+  bool scatter(const Vertex& vertex, const VertexPoints& points);
+  bool survives_roulette(double u);
+
+  const scene::Scene& scene_;
+  const PathSettings& settings_;
+  const SampleContext& context_;
+  Ray ray_;
+  SampledSpectrum beta_{1.0f};
+  SampledSpectrum L_;
+  Carried carried_ = Carried::all;
+  Origin origin_;
+  double index_squared_ = 1;  ///< undoes the radiance scaling of refraction for roulette
+  int depth_ = 0;             ///< scattering events so far
+};
+
+SampledSpectrum Path::light_met(std::uint32_t index, const light::LightHit& hit) const {
+  const light::Light& light = scene_.lights()[index];
+  const SampledSpectrum Le = light::emitted(light, ray_.direction, hit, context_.wavelengths);
+  if (origin_.lobe == Lobe::specular || Le.is_zero()) return Le;
+  const double pdf_light = scene_.light_selector()->probability(index) *
+                           light::pdf_illumination(light, origin_.p, ray_.direction, hit);
+  return Le * static_cast<float>(power_heuristic(origin_.pdf, pdf_light));
+}
+
+SampledSpectrum Path::direct_light(const Vertex& vertex, const VertexPoints& points) {
+  if (scene_.light_selector() == nullptr) return {};
+  const auto choice = scene_.light_selector()->choose(points.light_choice());
+  const light::LightNumbers numbers{choice.remainder, points.light_position()};
+  const auto sample = light::sample_illumination(scene_.lights()[choice.index], vertex.surface.p,
+                                                 numbers, context_.wavelengths);
+  if (!sample) return {};
+  const Vec3d wi = vertex.frame.to_local(sample->wi);
+  const bsdf::BsdfValue f = evaluate_with_pdf(vertex.bsdf, vertex.wo, wi, bsdf::Mode::radiance);
+  if (f.f_cos.is_zero() || !sides_agree(vertex, sample->wi, wi)) return {};
+
+  Ray shadow = geometry::World::leave(vertex.surface, sample->wi);
+  shadow.t_max = sample->distance * just_before_light;
+  shadow.time = ray_.time;
+  ++context_.counters.occlusion_queries;
+  if (scene_.world().occluded(shadow)) return {};
+
+  const double pdf_light = choice.probability * sample->pdf;
+  const double weight =
+      sample->extent == light::Extent::delta ? 1.0 : power_heuristic(pdf_light, f.pdf);
+  return f.f_cos * sample->L * static_cast<float>(weight / pdf_light);
+}
+
+bool Path::scatter(const Vertex& vertex, const VertexPoints& points) {
+  const auto sample = bsdf::sample(vertex.bsdf, vertex.wo, points.lobe_choice(), points.direction(),
+                                   bsdf::Mode::radiance);
+  if (!sample) return false;
+  const Vec3d direction = vertex.frame.to_world(sample->wi);
+  if (!sides_agree(vertex, direction, sample->wi)) return false;
+  beta_ *= sample->weight;
+  if (sample->carried == Carried::hero) carried_ = Carried::hero;
+  index_squared_ *= sample->relative_index * sample->relative_index;
+  origin_ = {vertex.surface.p, sample->pdf, sample->lobe};
+  const double time = ray_.time;
+  ray_ = geometry::World::leave(vertex.surface, direction);
+  ray_.time = time;
+  return true;
+}
+
+bool Path::survives_roulette(double u) {
+  // The hero alone carries the weight of four.
+  const float brightest = carried_ == Carried::hero ? 0.25f * beta_.max() : beta_.max();
+  const double throughput = static_cast<double>(brightest) * index_squared_;
+  if (depth_ < 1 || throughput >= 1.0) return throughput > 0.0;
+  if (u >= throughput) return false;
+  beta_ *= static_cast<float>(1.0 / throughput);
+  return true;
+}
+
+SampledSpectrum Path::trace(const Ray& camera_ray, FirstSurface& first) {
+  ray_ = camera_ray;
+  for (bool only_light_counts = false;; ++depth_) {
+    ++context_.counters.nearest_queries;
+    const Hit hit = scene_.world().nearest(ray_);
+    if (hit.kind == SurfaceKind::none) {
+      for (const std::uint32_t light : scene_.infinite_lights()) L_ += beta_ * light_met(light, {});
+      break;
+    }
+    const Surface surface = scene_.world().surface(ray_, hit);
+    const scene::Slot& slot = scene_.slot(hit);
+    const scene::PreparedMaterial& material = scene_.material(slot);
+    if (depth_ == 0) {
+      const bool from_behind = dot(surface.shading_normal, ray_.direction) > 0.0;
+      first = {material.albedo, from_behind ? -surface.shading_normal : surface.shading_normal,
+               camera::depth(scene_.camera(), surface.p), slot.object + 1};
+    }
+    if (slot.light != scene::Slot::no_light) {
+      L_ += beta_ * light_met(slot.light, {surface.p, surface.geometric_normal, surface.patch});
+    }
+    if (depth_ == settings_.max_depth || only_light_counts) break;
+
+    const Vertex vertex =
+        make_vertex(material, surface, ray_.direction, context_.wavelengths, carried_);
+    const VertexPoints points(context_.points, depth_);
+    if (!is_specular(vertex.bsdf)) L_ += beta_ * direct_light(vertex, points);
+    if (!scatter(vertex, points)) break;
+    if (!survives_roulette(points.roulette())) break;
+    only_light_counts =
+        settings_.interreflection == Interreflection::none && origin_.lobe != Lobe::specular;
+  }
+  return L_;
+}
+
+}  // namespace
+
+SampledSpectrum PathTracer::radiance(const Ray& camera_ray, const SampleContext& context,
+                                     FirstSurface& first) const {
+  return Path(scene_, settings_, context).trace(camera_ray, first);
+}
+
+}  // namespace lapidary::transport

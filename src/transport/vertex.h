@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include "bsdf/bsdf.h"
+#include "geometry/world.h"
+#include "math/frame.h"
+#include "scene/scene.h"
+#include "spectrum/wavelengths.h"
+
+namespace lapidary::transport {
+
+/// A point of a path where light scatters.
+struct Vertex {
+  geometry::Surface surface;
+  Frame frame;  ///< local z is the shading normal; of opaque materials, on the side of wo
+  Vec3d wo;     ///< local
+  bsdf::Bsdf bsdf;
+};
+
+/// The vertex at a hit, seen from `-direction`.
+Vertex make_vertex(const scene::PreparedMaterial& material, const geometry::Surface& surface,
+                   Vec3d direction, const Wavelengths& wavelengths, bsdf::Carried carried);
+
+/// Whether a world direction lies on the same side of the surface as it does of the shading
+/// normal. Where it does not, smooth normals would let light through an opaque surface.
+inline bool sides_agree(const Vertex& vertex, Vec3d wi_world, Vec3d wi_local) {
+  const bool same_side_as_wo = (wi_local.z > 0.0) == (vertex.wo.z > 0.0);
+  const Vec3d n = vertex.surface.geometric_normal;
+  const bool crosses = (dot(wi_world, n) > 0.0) != (dot(vertex.frame.to_world(vertex.wo), n) > 0.0);
+  return crosses != same_side_as_wo;
+}
+
+}  // namespace lapidary::transport

@@ -1,0 +1,324 @@
+#!/usr/bin/env python3
+"""The command line as users run it: exit codes, messages, files.
+
+usage: program_test.py PATH/TO/lapidary [unittest's arguments]
+"""
+
+import json
+import os
+import pathlib
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+LAPIDARY = None  # set by main
+
+BALL = """
+return scene {
+  camera = perspective { from = {0, -5, 1}, at = {0, 0, 0}, fov = 40 },
+  lights = { sphere_light { center = {0, 0, 6}, radius = 0.5, power = 300 } },
+  objects = { sphere { radius = param("radius", 1) } },
+  render = { size = {24, 16}, samples = 2 },
+}
+"""
+
+TETRAHEDRON = """
+v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 2 3 4
+f 3 1 4
+"""
+
+
+class ProgramTest(unittest.TestCase):
+    """Runs the program in a folder of its own."""
+
+    def setUp(self):
+        self._folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self._folder.cleanup)
+        self.folder = pathlib.Path(self._folder.name)
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_text(text)
+        return name
+
+    def start(self, *arguments):
+        return subprocess.Popen([LAPIDARY, *arguments], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def run_program(self, *arguments):
+        return subprocess.run([LAPIDARY, *arguments], cwd=self.folder, stdin=subprocess.DEVNULL,
+                              capture_output=True, text=True, timeout=120, check=False)
+
+    def succeed(self, *arguments):
+        done = self.run_program(*arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def fail_with(self, code, *arguments):
+        """The one error message of a run that leaves no file behind."""
+        before = sorted(self.folder.iterdir())
+        done = self.run_program(*arguments)
+        self.assertEqual(done.returncode, code, (arguments, done.stdout, done.stderr))
+        self.assertEqual(done.stderr.count("error:"), 1, done.stderr)
+        self.assertEqual(sorted(self.folder.iterdir()), before)
+        return done.stderr
+
+
+def png_size(path):
+    data = path.read_bytes()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    return struct.unpack(">II", data[16:24])
+
+
+class Help(ProgramTest):
+    def test_lists_verbs_and_nodes(self):
+        text = self.succeed("help").stdout
+        for word in ("render", "check", "compare", "sphere", "glass", "perspective"):
+            self.assertIn(word, text)
+        self.assertEqual(text, self.succeed("--help").stdout)
+
+    def test_explains_a_node_and_a_verb(self):
+        self.assertIn("radius", self.succeed("help", "sphere").stdout)
+        self.assertIn("--samples", self.succeed("help", "render").stdout)
+        self.assertEqual(self.succeed("help", "render").stdout,
+                         self.succeed("render", "--help").stdout)
+
+    def test_suggests_a_node(self):
+        self.assertIn("sphere", self.fail_with(2, "help", "spere"))
+
+    def test_states_its_version(self):
+        self.assertRegex(self.succeed("--version").stdout, r"^lapidary \d+\.\d+\.\d+\n$")
+
+    def test_wrong_usage(self):
+        self.write("a.lua", BALL)
+        for arguments in ((), ("paint",), ("render",), ("render", "a.lua", "--speed", "3"),
+                          ("render", "a.lua", "--samples", "0"),
+                          ("render", "a.lua", "--samples", "many"),
+                          ("render", "a.lua", "--size", "0x0"),
+                          ("render", "a.lua", "--size", "1000000x1000000"),
+                          ("render", "a.lua", "--size", "wide"),
+                          ("render", "a.lua", "--time", "nan"),
+                          ("render", "a.lua", "--noise", "-1"),
+                          ("render", "a.lua", "--render", "smoothness=3"),
+                          ("render", "a.lua", "--integrator", "magic"),
+                          ("render", "a.lua", "--up", "z"),
+                          ("compare", "a.png")):
+            self.fail_with(2, *arguments)
+
+
+class Render(ProgramTest):
+    def test_writes_the_scenes_name_with_png(self):
+        self.write("ball.lua", BALL)
+        done = self.succeed("render", "ball.lua")
+        self.assertEqual(done.stdout, "")
+        self.assertEqual(png_size(self.folder / "ball.png"), (24, 16))
+        self.assertNotIn("\x1b", done.stderr)
+
+    def test_writes_every_format(self):
+        self.write("ball.lua", BALL)
+        names = ["a.png", "b.exr", "c.jpg", "d.hdr"]
+        self.succeed("render", "ball.lua", *(word for name in names for word in ("-o", name)))
+        for name in names:
+            self.assertGreater((self.folder / name).stat().st_size, 100, name)
+
+    def test_options_override_the_scene(self):
+        self.write("ball.lua", BALL)
+        self.succeed("render", "ball.lua", "--size", "8x6", "--samples", "5", "--stats", "s.json",
+                     "--threads", "1", "--set", "radius=0.5", "--render", "max_depth=2")
+        self.assertEqual(png_size(self.folder / "ball.png"), (8, 6))
+        stats = json.loads((self.folder / "s.json").read_text())
+        self.assertEqual(stats["samples_per_pixel"], 5)
+        self.assertEqual(stats["threads"], 1)
+
+    def test_states_what_it_took(self):
+        self.write("ball.lua", BALL)
+        self.succeed("render", "ball.lua", "--stats", "s.json", "--samples", "16")
+        stats = json.loads((self.folder / "s.json").read_text())
+        self.assertEqual(set(stats["seconds"]), {"load", "build", "photons", "render", "write"})
+        self.assertEqual(stats["scene"],
+                         {"objects": 2, "operands": 2, "triangles": 0, "lights": 1})
+        self.assertGreaterEqual(stats["rays"], 24 * 16 * 16)
+        self.assertEqual(stats["nan_samples"], 0)
+        self.assertGreater(stats["peak_rss_bytes"], 1_000_000)
+        self.assertGreater(stats["cpu_seconds"], 0)
+        self.assertGreater(stats["noise"], 0)
+
+    def test_is_silent_when_asked(self):
+        self.write("ball.lua", BALL)
+        self.assertEqual(self.succeed("render", "ball.lua", "--quiet").stderr, "")
+
+    def test_progress_as_json(self):
+        self.write("ball.lua", BALL)
+        done = self.succeed("render", "ball.lua", "--progress", "json", "--samples", "32")
+        states = [json.loads(line) for line in done.stderr.splitlines() if line.startswith("{")]
+        self.assertGreater(len(states), 1)
+        self.assertEqual(states[-1]["samples_per_pixel"], 32)
+        self.assertEqual(states[-1]["fraction"], 1)
+
+    def test_stops_by_the_clock_even_if_the_scene_says_samples(self):
+        self.write("ball.lua", BALL)
+        self.succeed("render", "ball.lua", "--time", "0.3", "--stats", "s.json")
+        stats = json.loads((self.folder / "s.json").read_text())
+        self.assertGreater(stats["samples_per_pixel"], 2)
+        self.assertLess(stats["seconds"]["render"], 3)
+
+    def test_puts_a_bare_mesh_into_a_studio(self):
+        self.write("shape.obj", TETRAHEDRON)
+        self.succeed("render", "shape.obj", "--size", "16x12", "--samples", "1")
+        self.assertEqual(png_size(self.folder / "shape.png"), (16, 12))
+        self.succeed("render", "shape.obj", "--size", "16x12", "--samples", "1", "--up", "z")
+
+    def test_same_bits_for_any_number_of_threads(self):
+        self.write("ball.lua", BALL)
+        for threads in ("1", "2", "3"):
+            self.succeed("render", "ball.lua", "--threads", threads, "-o", f"{threads}.exr")
+            done = self.succeed("compare", f"{threads}.exr", "1.exr", "--metric", "mse")
+            self.assertEqual(done.stdout, "mse 0\n")
+
+
+class BadInput(ProgramTest):
+    SCENES = {
+        "empty file": ("", "returns no scene"),
+        "malformed Lua": ("return scene {", "bad.lua:1"),
+        "endless loop": ("while true do end", "bad.lua:1"),
+        "unknown node": ("return scene { objects = { spere { radius = 1 } } }", "sphere"),
+        "unknown parameter": ("return scene { objects = { sphere { raduis = 1 } } }", "radius"),
+        "wrong type": ("return scene { objects = { sphere { radius = 'big' } } }", "radius"),
+        "not a number": ("return scene { objects = { sphere { radius = 0/0 } } }", "radius"),
+        "infinite": ("return scene { objects = { sphere { center = {1/0, 0, 0} } } }", "center"),
+        "zero radius": ("return scene { objects = { sphere { radius = 0 } } }", "radius"),
+        "singular": ("return scene { objects = { sphere {}:scale { 1, 0, 1 } } }", "bad.lua:1"),
+        "camera at its target": ("return scene { camera = perspective { from = {1, 2, 3}, "
+                                 "at = {1, 2, 3} }, objects = { sphere {} } }", "bad.lua:1"),
+        "size 0x0": ("return scene { objects = { sphere {} }, render = { size = {0, 0} } }",
+                     "size"),
+        "huge size": ("return scene { objects = { sphere {} }, "
+                      "render = { size = {65536, 65536} } }", "65536"),
+        "missing mesh": ("return scene { objects = { mesh { file = 'gone.obj' } } }", "gone.obj"),
+    }
+
+    def test_each_scene_gets_one_clear_error(self):
+        for name, (text, fragment) in self.SCENES.items():
+            with self.subTest(name):
+                self.write("bad.lua", text)
+                self.assertIn(fragment, self.fail_with(3, "render", "bad.lua"))
+
+    MESHES = {
+        "empty file": "",
+        "no triangles": "v 0 0 0\nv 1 0 0\n",
+        "index out of range": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
+        "not a number": "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+    }
+
+    def test_each_mesh_gets_one_clear_error(self):
+        for name, text in self.MESHES.items():
+            with self.subTest(name):
+                self.write("bad.obj", text)
+                self.assertIn("bad.obj", self.fail_with(3, "render", "bad.obj"))
+
+    def test_missing_and_unknown_files(self):
+        self.write("picture.gif", "GIF89a")
+        for file in ("gone.lua", "gone.obj", "picture.gif", "."):
+            self.fail_with(3, "render", file)
+        self.fail_with(3, "compare", "gone.png", "picture.gif")
+        self.fail_with(3, "check", "gone.lua")
+
+    def test_output_that_cannot_be_written_is_found_before_rendering(self):
+        self.write("ball.lua", BALL)
+        for output in ("nowhere/a.png", "a.tiff", "a", "."):
+            with self.subTest(output):
+                self.fail_with(3, "render", "ball.lua", "-o", output, "--samples", "1000000")
+        self.fail_with(3, "render", "ball.lua", "--stats", "nowhere/s.json", "--samples", "1000000")
+
+    def test_an_unused_parameter_is_an_error(self):
+        self.write("ball.lua", BALL)
+        self.assertIn("radius", self.fail_with(3, "render", "ball.lua", "--set", "raduis=2"))
+
+
+class Compare(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("ball.lua", BALL)
+        self.succeed("render", "ball.lua", "-o", "a.exr", "-o", "a.png")
+        self.succeed("render", "ball.lua", "-o", "b.exr", "--seed", "1")
+
+    def test_prints_metric_and_value(self):
+        for metric in ("relmse", "mse", "mae", "flip"):
+            self.assertEqual(self.succeed("compare", "a.exr", "a.exr", "--metric", metric).stdout,
+                             f"{metric} 0\n")
+            name, value = self.succeed("compare", "a.exr", "b.exr", "--metric",
+                                       metric).stdout.split()
+            self.assertEqual(name, metric)
+            self.assertGreater(float(value), 0)
+
+    def test_crops_and_trims(self):
+        whole = float(self.succeed("compare", "a.exr", "b.exr").stdout.split()[1])
+        trimmed = float(self.succeed("compare", "a.exr", "b.exr", "--trim", "0.1").stdout.split()[1])
+        self.assertLess(trimmed, whole)
+        self.succeed("compare", "a.exr", "b.exr", "--crop", "2,3,4,5")
+        self.fail_with(3, "compare", "a.exr", "b.exr", "--crop", "20,10,10,10")
+
+    def test_sizes_must_agree(self):
+        self.succeed("render", "ball.lua", "--size", "8x8", "-o", "small.png")
+        self.fail_with(3, "compare", "a.png", "small.png")
+
+
+class Check(ProgramTest):
+    def test_says_what_is_there(self):
+        self.write("ball.lua", BALL)
+        text = self.succeed("check", "ball.lua").stdout
+        self.assertIn("2 objects", text)
+        self.assertIn("12.566", text)  # the unit sphere's area
+        self.assertIn("4.1887", text)  # and its volume
+
+    def test_finds_overlaps_and_open_meshes(self):
+        self.write("open.obj", TETRAHEDRON.replace("f 3 1 4\n", ""))
+        self.write("scene.lua", "return scene { objects = { sphere {}:name 'one', "
+                                "sphere { center = {1, 0, 0} }:name 'two', "
+                                "mesh { file = 'open.obj' } } }")
+        text = self.succeed("check", "scene.lua").stdout
+        self.assertIn("3 open", text)
+        self.assertRegex(text, "'one'.* and 'two'")
+
+    def test_refuses_what_a_renderer_refuses(self):
+        self.write("bad.lua", "return scene { objects = { sphere { radius = -1 } } }")
+        self.fail_with(3, "check", "bad.lua")
+
+
+class Interrupt(ProgramTest):
+    def test_ends_with_the_picture_so_far(self):
+        self.write("ball.lua", BALL)
+        program = self.start("render", "ball.lua", "--samples", "16000000", "--progress", "json",
+                             "--stats", "s.json")
+        self.addCleanup(program.kill)
+        program.stderr.readline()  # the first block is done
+        program.send_signal(signal.SIGINT)
+        program.communicate(timeout=60)
+        self.assertEqual(program.returncode, 4)
+        self.assertEqual(png_size(self.folder / "ball.png"), (24, 16))
+        stats = json.loads((self.folder / "s.json").read_text())
+        self.assertEqual(stats["ended"], "interrupted")
+        self.assertGreater(stats["samples_per_pixel"], 0)
+
+    def test_leaves_nothing_temporary_behind(self):
+        self.write("ball.lua", BALL)
+        program = self.start("render", "ball.lua", "--samples", "16000000", "--progress", "json")
+        self.addCleanup(program.kill)
+        program.stderr.readline()
+        program.send_signal(signal.SIGTERM)
+        program.communicate(timeout=60)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["ball.lua", "ball.png"])
+
+
+if __name__ == "__main__":
+    LAPIDARY = os.path.abspath(sys.argv.pop(1))
+    unittest.main()

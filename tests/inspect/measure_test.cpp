@@ -1,0 +1,63 @@
+#include "inspect/measure.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "objects.h"
+
+namespace lapidary::inspect {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Measure measure_of(const description::ObjectPtr& object) {
+  Measure result;
+  description::for_each_leaf(std::span(&object, 1),
+                             [&](const description::Leaf& leaf) { result = measure(leaf); });
+  return result;
+}
+
+TEST(Measure, ClosedFormsOfSolids) {
+  const Measure ball = measure_of(make_object(geometry::Sphere{{1, 2, 3}, 2}));
+  EXPECT_NEAR(ball.area.value(), 16 * pi, 1e-9);
+  EXPECT_NEAR(ball.volume.value(), 32 * pi / 3, 1e-9);
+  EXPECT_NEAR(ball.bounds.max.z, 5, 1e-9);
+  const Measure can = measure_of(make_object(geometry::Cylinder{{0, 0, 0}, {3, 4, 0}, 2}));
+  EXPECT_NEAR(can.area.value(), 2 * pi * 4 + 2 * pi * 2 * 5, 1e-9);
+  EXPECT_NEAR(can.volume.value(), pi * 4 * 5, 1e-9);
+}
+
+TEST(Measure, FollowsTheTransform) {
+  const Transform stretch = Transform::scaling({2, 3, -4});
+  const Measure box = measure_of(make_object(geometry::Box{}, stretch));
+  EXPECT_NEAR(box.volume.value(), 24, 1e-9);
+  EXPECT_NEAR(box.area.value(), 2 * (6 + 8 + 12), 1e-9);
+  const Measure mesh = measure_of(make_object(shared(cube_mesh()), stretch));
+  EXPECT_NEAR(mesh.volume.value(), 24, 1e-9);
+  EXPECT_NEAR(mesh.area.value(), 2 * (6 + 8 + 12), 1e-9);
+  const Measure disk = measure_of(make_object(geometry::Disk{}, stretch));
+  EXPECT_NEAR(disk.area.value(), 6 * pi, 1e-9);
+  EXPECT_FALSE(disk.volume);
+}
+
+TEST(Measure, AMeshFarAwayKeepsItsVolume) {
+  const Measure mesh =
+      measure_of(make_object(shared(cube_mesh()), Transform::translation({1e6, -1e6, 1e6})));
+  EXPECT_NEAR(mesh.volume.value(), 1, 1e-8);
+}
+
+TEST(Measure, AnInsideOutMeshHasNegativeVolume) {
+  geometry::TriangleMesh mesh = cube_mesh();
+  for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  EXPECT_NEAR(measure_of(make_object(shared(mesh))).volume.value(), -1, 1e-12);
+}
+
+TEST(Measure, HalfSpacesHaveNeitherAreaNorVolume) {
+  const Measure ground = measure_of(make_object(geometry::HalfSpace{}));
+  EXPECT_FALSE(ground.area);
+  EXPECT_FALSE(ground.volume);
+}
+
+}  // namespace
+}  // namespace lapidary::inspect
