@@ -53,6 +53,41 @@ TEST(Energy, OfAWhiteFurnaceComesBackFromMetal) {
   }
 }
 
+// Each bounce between facets reflects the average share F, and the share E of what is on its way
+// escapes: over diffuse light, bounces after the first sum to the series over k > 1 of
+// F^k E (1 - E)^(k - 1).
+TEST(Energy, OfLaterBouncesDarkensColouredMetal) {
+  const double alpha = 0.8;
+  const auto fresnel = ConductorFresnel::from_normal_incidence({0.2f, 0.5f, 0.8f, 1.0f});
+  const Conductor metal(fresnel, alpha);
+  const Ggx facets{alpha};
+  Random random(9);
+  std::array<RunningMean, 4> later;
+  for (int i = 0; i < 100000; ++i) {
+    const Vec3d wo = sample_cosine_hemisphere(random.uniform2());
+    const double u_lobe = random.uniform();
+    const auto s = metal.sample(wo, u_lobe, random.uniform2());
+    SampledSpectrum rest;
+    if (s) {
+      const Vec3d h = normalize(wo + s->wi);
+      const double first = facets.density(h) * facets.reflection_share(wo, s->wi) / s->pdf;
+      rest = s->weight - fresnel.at(dot(wo, h)) * static_cast<float>(first);
+    }
+    for (std::size_t k = 0; k < 4; ++k) later[k].add(rest[k]);
+  }
+  const double escaping = GgxAlbedo(alpha).average();
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double f = fresnel.average()[k];
+    double expected = 0.0, on_the_way = f * (1.0 - escaping);
+    for (int bounce = 2; bounce < 100; ++bounce) {
+      expected += on_the_way * f * escaping;
+      on_the_way *= f * (1.0 - escaping);
+    }
+    // 4 standard errors, 4 tests: a false-alarm rate of 3e-4.
+    EXPECT_NEAR(later[k].mean(), expected, 4.0 * later[k].standard_error() + 5e-4) << k;
+  }
+}
+
 TEST(Energy, OfAWhiteFurnaceComesBackFromMatteAndMirror) {
   const Bsdf matte = Diffuse{SampledSpectrum(1.0f)};
   const Bsdf mirror = Mirror{ConductorFresnel::from_normal_incidence(SampledSpectrum(1.0f))};
