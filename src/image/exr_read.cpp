@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <optional>
+#include <string_view>
 
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfDoubleAttribute.h>
@@ -41,8 +42,26 @@ Window window_of(const Source& source, const Imf::Header& header) {
   return {box.min.x, box.min.y, static_cast<int>(width), static_cast<int>(height)};
 }
 
-/// Looks at the sizes before OpenEXR's own reader, which takes memory for them at once.
-void check_windows(const Source& source) {
+/// Walks over the attributes of a header: name, type, size and value of each.
+void check_attributes(const Source& source, std::uint64_t at) {
+  const std::string_view bytes(reinterpret_cast<const char*>(source.bytes.data()),
+                               source.bytes.size());
+  while (at < bytes.size() && bytes[at] != '\0') {
+    at = bytes.find('\0', at);
+    if (at < bytes.size()) at = bytes.find('\0', at + 1);
+    if (at >= bytes.size() || bytes.size() - at < 5) throw Iex::InputExc("the header ends early");
+    std::int32_t size = 0;
+    std::memcpy(&size, bytes.data() + at + 1, 4);
+    at += 5;
+    if (size < 0 || static_cast<std::uint64_t>(size) > bytes.size() - at) {
+      throw Iex::InputExc("an attribute is longer than the file");
+    }
+    at += static_cast<std::uint64_t>(size);
+  }
+}
+
+/// Looks at all sizes before OpenEXR's own reader, which takes memory for them at once.
+void check_headers(const Source& source) {
   MemoryStream stream(source);
   char start[8];
   stream.read(start, 8);
@@ -52,6 +71,7 @@ void check_windows(const Source& source) {
   for (;;) {
     const std::uint64_t begin = stream.tellg();
     if (many && begin < source.bytes.size() && source.bytes[begin] == std::byte{0}) return;
+    check_attributes(source, begin);
     Imf::Header header;
     header.readFrom(stream, version);
     window_of(source, header);
@@ -226,7 +246,7 @@ LayeredImage read_first_part(const Source& source, Imf::MultiPartInputFile& file
 template <typename Use>
 auto with_file(const Source& source, const Use& use) {
   try {
-    check_windows(source);
+    check_headers(source);
     MemoryStream stream(source);
     Imf::MultiPartInputFile file(stream, 0);
     return use(file);

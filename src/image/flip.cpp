@@ -76,31 +76,46 @@ using Planes = std::array<Plane, 3>;
 /// A filter along one axis, 2 * radius + 1 weights.
 using Kernel = std::vector<float>;
 
-enum class Axis { x, y };
+/// out += weight * in, for as many numbers as a row has.
+void add_row(float* out, const float* in, int count, float weight) {
+  for (int x = 0; x < count; ++x) out[x] += weight * in[x];
+}
 
-/// Convolution along one axis; beyond the border the border pixel goes on.
-Plane convolved(const Plane& in, const Kernel& kernel, Axis axis) {
+/// Convolution along rows; beyond the border the border pixel goes on.
+Plane convolved_x(const Plane& in, const Kernel& kernel) {
+  const std::size_t radius = kernel.size() / 2;
+  const auto width = static_cast<std::size_t>(in.width);
+  std::vector<float> padded(width + 2 * radius);
+  Plane out(in.width, in.height);
+  for (std::size_t row = 0; row < in.values.size(); row += width) {
+    const float* values = &in.values[row];
+    std::fill_n(padded.begin(), radius, values[0]);
+    std::copy_n(values, width, padded.data() + radius);
+    std::fill_n(padded.end() - static_cast<std::ptrdiff_t>(radius), radius, values[width - 1]);
+    for (std::size_t tap = 0; tap < kernel.size(); ++tap) {
+      add_row(&out.values[row], &padded[tap], in.width, kernel[tap]);
+    }
+  }
+  return out;
+}
+
+/// The same along columns.
+Plane convolved_y(const Plane& in, const Kernel& kernel) {
   const int radius = static_cast<int>(kernel.size() / 2);
-  const int length = axis == Axis::x ? in.width : in.height;
-  const std::size_t step = axis == Axis::x ? 1 : static_cast<std::size_t>(in.width);
+  const auto row_of = [&](int y) { return static_cast<std::size_t>(y) * in.width; };
   Plane out(in.width, in.height);
   for (int y = 0; y < in.height; ++y) {
-    const std::size_t row = static_cast<std::size_t>(y) * in.width;
     for (int tap = -radius; tap <= radius; ++tap) {
-      const float weight = kernel[static_cast<std::size_t>(tap + radius)];
-      for (int x = 0; x < in.width; ++x) {
-        const int at = axis == Axis::x ? x : y;
-        const auto from = static_cast<std::size_t>(std::clamp(at + tap, 0, length - 1));
-        const std::size_t source = axis == Axis::x ? row + from : from * step + x;
-        out.values[row + x] += weight * in.values[source];
-      }
+      const std::size_t source = row_of(std::clamp(y + tap, 0, in.height - 1));
+      add_row(&out.values[row_of(y)], &in.values[source], in.width,
+              kernel[static_cast<std::size_t>(tap + radius)]);
     }
   }
   return out;
 }
 
 Plane convolved(const Plane& in, const Kernel& along_x, const Kernel& along_y) {
-  return convolved(convolved(in, along_x, Axis::x), along_y, Axis::y);
+  return convolved_y(convolved_x(in, along_x), along_y);
 }
 
 /// Sampled on integers, times `factor`(x).

@@ -10,6 +10,9 @@
 namespace lapidary::image {
 namespace {
 
+/// Half the time of the usual level 6 for 2 % larger files.
+constexpr int compression_level = 4;
+
 /// What libpng's callbacks know: it reports through them and then jumps.
 struct Callbacks {
   std::string message;         ///< of the first error
@@ -172,6 +175,8 @@ Image read_png(const Source& source) {
   };
   require(completes(reader.png, [&] {
     png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // ours come next
+    // Only what makes the pixels: libpng takes memory for whatever length a text claims.
+    png_set_keep_unknown_chunks(reader.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
     png_read_info(reader.png, reader.info);
   }));
   const auto width = png_get_image_width(reader.png, reader.info);
@@ -207,6 +212,7 @@ void write_png(OutputFile& out, const RowSource& rows, const WriteOptions& optio
                  static_cast<png_uint_32>(rows.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_compression_level(writer.png, compression_level);
     png_write_info(writer.png, writer.info);
     for (int y = 0; y < rows.height; ++y) {
       encode_row(rows, y, options.display, light, codes);

@@ -410,6 +410,14 @@ TEST(BadFile, GiganticClaimsAreRefusedAtOnce) {
   EXPECT_THAT(refusal_of(exr_claiming(-5, 4)), HasSubstr("without pixels"));
 }
 
+/// An OpenEXR file with a text that says it is 1.9 GB long.
+std::string exr_with_long_text() {
+  const Folder folder;
+  write_image(folder / "a.exr", Image(4, 4), {.metadata = {{"scene", std::string("s")}}});
+  std::string bytes = bytes_of(folder / "a.exr");
+  return bytes.replace(bytes.find("scene\0string\0"s) + 13 + 3, 1, "\x70");
+}
+
 /// The most memory this process ever used.
 long peak_kilobytes() {
   rusage usage{};
@@ -418,11 +426,12 @@ long peak_kilobytes() {
 }
 
 TEST(BadFile, LargeClaimsWithoutDataTakeNoMemory) {
-  // 12000 x 12000 pixels are 1.7 GB.
+  // 12000 x 12000 pixels are 1.7 GB, and so are the texts.
   const long before = peak_kilobytes();
   for (const std::string& bytes :
-       {png::file({12000, 12000, 8, png::rgb}, "", {"abc"}), radiance("-Y 12000 +X 12000", "abcd"),
-        exr_claiming(12000, 12000)}) {
+       {png::file({12000, 12000, 8, png::rgb}, "", {"abc"}),
+        png::file({1, 1, 8, png::rgb}, "\x70\0\0\0tEXt"s, {"abc"}), exr_with_long_text(),
+        radiance("-Y 12000 +X 12000", "abcd"), exr_claiming(12000, 12000)}) {
     EXPECT_THAT(refusal_of(bytes), HasSubstr("is a broken"));
   }
   EXPECT_LT(peak_kilobytes() - before, 500'000);
