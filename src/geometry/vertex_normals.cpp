@@ -72,15 +72,18 @@ struct Corner {
 // All corners at vertices marked in `chosen`, by vertex and then in order of triangles.
 std::vector<Corner> corners_at(std::span<const std::uint8_t> chosen,
                                std::span<const TriangleIndices> triangles) {
-  std::vector<Corner> corners;
+  std::vector<std::uint32_t> next(chosen.size() + 1);  // at first one place on: counts
+  for (const TriangleIndices& t : triangles) {
+    for (const std::uint32_t v : t) next[v + 1] += chosen[v];
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<Corner> corners(next.back());
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t v = triangles[i][k];
-      if (chosen[v]) corners.push_back({v, i, k});
+      if (chosen[v]) corners[next[v]++] = {v, i, k};
     }
   }
-  std::stable_sort(corners.begin(), corners.end(),
-                   [](const Corner& a, const Corner& b) { return a.vertex < b.vertex; });
   return corners;
 }
 
