@@ -102,8 +102,8 @@ void add_scene(CLI::App& verb, SceneArguments& scene) {
             });
   add_texts(verb, "--allow", "DIR", "a folder the scene may read beside its own",
             [&](const std::string& text) { scene.allowed_folders.push_back(text); });
-  const std::vector<std::pair<std::string, std::string>> axes = {
-      {"x", "x"}, {"y", "y"}, {"z", "z"}};
+  const std::vector<std::pair<std::string, std::optional<import::UpAxis>>> axes = {
+      {"y", import::UpAxis::y}, {"z", import::UpAxis::z}};
   add_choice(verb, "--up", scene.up, axes, "the axis of a bare mesh that points up (y for .obj)");
 }
 

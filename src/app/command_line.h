@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "image/compare.h"
+#include "import/mesh_file.h"
 
 namespace lapidary::app {
 
@@ -24,7 +25,7 @@ struct SceneArguments {
   std::string file;
   std::vector<Assignment> parameters;        ///< --set: for param() in the scene
   std::vector<std::string> allowed_folders;  ///< --allow
-  std::string up;                            ///< --up: "x", "y", "z", or empty: the format's own
+  std::optional<import::UpAxis> up;          ///< --up, of a bare mesh; none: the format's own
 };
 
 enum class ProgressStyle { automatic, bar, lines, json, none };

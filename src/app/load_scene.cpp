@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
-#include <numbers>
 #include <utility>
 
 #include <fmt/core.h>
@@ -30,7 +29,7 @@ SceneKind kind_of(const std::string& file) {
 }
 
 description::SceneDescription load_lua(const SceneArguments& arguments, WarningLog& warnings) {
-  if (!arguments.up.empty()) {
+  if (arguments.up) {
     throw UsageError("--up is for bare meshes", "a scene turns its meshes itself, with :rotate");
   }
   lua::LoadOptions options;
@@ -41,23 +40,13 @@ description::SceneDescription load_lua(const SceneArguments& arguments, WarningL
   return lua::load_scene(arguments.file, options).scene;
 }
 
-Transform world_from_mesh(const std::string& up) {
-  // The shortest turn that brings the axis to z; OBJ files are y-up unless told otherwise.
-  constexpr double quarter = std::numbers::pi / 2;
-  if (up == "z") return {};
-  if (up == "x") return Transform::rotation({0, 1, 0}, -quarter);
-  return Transform::rotation({1, 0, 0}, quarter);
-}
-
 description::SceneDescription load_obj(const SceneArguments& arguments, WarningLog& warnings) {
   if (!arguments.parameters.empty()) {
     throw UsageError("--set is for scenes; a bare mesh has no parameters");
   }
-  // Read as it is, and turned here, where any axis may be up.
-  const description::ObjectPtr mesh =
-      import::MeshFiles(&warnings).read(arguments.file, {.up = import::UpAxis::z});
+  import::MeshFiles files(&warnings);
   description::SceneDescription scene;
-  scene.objects = {description::moved(*mesh, world_from_mesh(arguments.up))};
+  scene.objects = {files.read(arguments.file, {.up = arguments.up})};
   return scene;
 }
 
