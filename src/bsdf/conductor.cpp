@@ -6,8 +6,8 @@ namespace lapidary::bsdf {
 
 Conductor::Conductor(const ConductorFresnel& fresnel, double alpha)
     : fresnel_(fresnel), facets_{alpha}, albedo_(alpha), lobe_(alpha) {
-  // Kulla & Conty's slides 17 and 18: each further bounce is reflected with the average Fresnel
-  // reflectance F, and all bounces after the first sum to F^2 E / (1 - F (1 - E)).
+  // Each further bounce reflects the average Fresnel share F, and of what is on its way the average
+  // share E escapes: all bounces after the first sum to F^2 E / (1 - F (1 - E)).
   const auto e = static_cast<float>(albedo_.average());
   const SampledSpectrum f = fresnel.average();
   const SampledSpectrum bounces = f * f * e / (SampledSpectrum(1.0f) - f * (1.0f - e));

@@ -20,8 +20,9 @@ ConductorFresnel ConductorFresnel::from_normal_incidence(SampledSpectrum reflect
   return {Form::normal_incidence, reflectance, SampledSpectrum()};
 }
 
-// With a + i b = sqrt((n + i k)^2 - sin^2), the refracted wave's normal component: Born & Wolf
-// 1999, section 14.4, written without complex numbers. 2 a^2 = |a + i b|^2 + (n^2 - k^2 - sin^2).
+// With a + i b = sqrt((n + i k)^2 - sin^2), the refracted wave's normal component: Fresnel's
+// equations (Born & Wolf 1999, chapter 14) written without complex numbers. 2 a^2 = |a + i b|^2 +
+// (n^2 - k^2 - sin^2).
 SampledSpectrum ConductorFresnel::exact(float cosine) const {
   const float cos2 = cosine * cosine, sin2 = 1.0f - cos2;
   const Vector n2 = a_.vector() * a_.vector(), k2 = b_.vector() * b_.vector();

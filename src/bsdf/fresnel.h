@@ -28,7 +28,7 @@ class ConductorFresnel {
  public:
   /// Exact for the complex index n + i k relative to the medium outside.
   static ConductorFresnel from_index(SampledSpectrum n, SampledSpectrum k);
-  /// Schlick 1994, equation 15: F0 + (1 - F0) (1 - cos)^5.
+  /// Schlick 1994, "An Inexpensive BRDF Model": F0 + (1 - F0) (1 - cos)^5.
   static ConductorFresnel from_normal_incidence(SampledSpectrum reflectance);
 
   /// Unpolarised reflectance; `cos_incident` in [0, 1].

@@ -52,7 +52,8 @@ struct Ggx {
     return 0.5 * wi.z / (wo.z * slant(wi) + wi.z * slant(wo));
   }
 
-  /// D(h) G1(wo) (wo.h) / wo.z per solid angle of h [1/sr]; wo.h > 0. Heitz 2018, equation 3.
+  /// D(h) G1(wo) (wo.h) / wo.z per solid angle of h [1/sr]; wo.h > 0. Heitz 2018, "Sampling the GGX
+  /// Distribution of Visible Normals".
   double visible_density(Vec3d wo, Vec3d h) const {
     return 2.0 * density(h) * dot(wo, h) / (wo.z + slant(wo));
   }

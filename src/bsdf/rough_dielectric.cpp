@@ -24,7 +24,8 @@ double shadowing_below(const Ggx& facets, Vec3d wi) {
   return facets.visible_share({wi.x, wi.y, -wi.z});
 }
 
-// Fresnel reflectance for diffuse light from the thinner side: the fit on Kulla & Conty's slide 22.
+// Fresnel reflectance for diffuse light from the thinner side: a fit by Kulla & Conty
+// 2017. It only decides to which side the wide lobes lean.
 double average_reflectance(double eta) {
   const double n = std::max(eta, 1.0 / eta);
   return (n - 1.0) / (4.08567 + 1.00071 * n);

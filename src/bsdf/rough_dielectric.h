@@ -12,8 +12,8 @@ namespace lapidary::bsdf {
 /// The rough boundary of two transparent media: GGX facets that reflect and refract (Walter et al.
 /// 2007, "Microfacet Models for Refraction through Rough Surfaces"), and wide lobes on both sides
 /// for light that meets more than one facet, so that nothing is lost at any roughness (within
-/// 0.01). Where the index disperses, what is refracted belongs to the hero wavelength, in values as
-/// in samples. Reciprocal up to the square of the index (Veach 1997, equation 5.14).
+/// about 0.01). Where the index disperses, what is refracted belongs to the hero wavelength, in
+/// values as in samples. Reciprocal up to the square of the index (Veach 1997, equation 5.14).
 class RoughDielectric {
  public:
   /// `alpha` in (0, 1].

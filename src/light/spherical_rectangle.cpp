@@ -28,8 +28,8 @@ SphericalRectangle::SphericalRectangle(Range x, Range y, double height)
   solid_angle_ = arc_sine(right * slope_max_) - arc_sine(right * slope_min_) - first_angle_;
 }
 
-// The x up to which the strip from x.min has the share u of the solid angle: section 3.1 there,
-// with angle = their phi_u - pi.
+// The x up to which the strip from x.min has the share u of the solid angle; in the paper's terms
+// angle = their phi_u - pi.
 double SphericalRectangle::sample_x(double u) const {
   const double angle = u * solid_angle_ + first_angle_;
   const double f = (slope_max_ - std::cos(angle) * slope_min_) / std::sin(angle);
