@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
-#include "image/image.h"
+#include "image/image_io.h"
 
 namespace lapidary::image::test {
 
@@ -71,6 +71,23 @@ std::string error_of(const Action& action) {
   }
   ADD_FAILURE() << "no Error was thrown";
   return "";
+}
+
+/// The image in a file of these bytes; the name does not say what it is.
+inline Image image_of(const std::string& bytes, const ReadOptions& options = {}) {
+  const Folder folder;
+  put_bytes(folder / "picture", bytes);
+  return read_image(folder / "picture", options);
+}
+
+inline std::string refusal_of(const std::string& bytes) {
+  return error_of([&] { image_of(bytes); });
+}
+
+/// A Radiance file with these lines and bytes.
+inline std::string radiance(const std::string& resolution, const std::string& pixels) {
+  return "#?RADIANCE\n# comment\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2\n\n" + resolution + "\n" +
+         pixels;
 }
 
 }  // namespace lapidary::image::test

@@ -384,8 +384,10 @@ TEST(Output, FullDiskLeavesTheOldFileAndNoPartOfTheNew) {
   const Folder folder;
   const Image image = random_image(200, 200);
   for (const char* name : all_names) {
+    write_image(folder / name, image);
+    const auto size = static_cast<rlim_t>(fs::file_size(folder / name));
     put_bytes(folder / name, "precious");
-    for (const rlim_t limit : {0, 1, 100, 400, 5000, 10000}) {
+    for (const rlim_t limit : {rlim_t{0}, rlim_t{1}, rlim_t{400}, size / 2, size - 1}) {
       std::string message;
       {
         const FileSizeLimit full(limit);
