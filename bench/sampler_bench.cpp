@@ -8,7 +8,6 @@
 #include "sampling/distribution.h"
 #include "sampling/filter.h"
 #include "sampling/sobol.h"
-#include "sampling/spherical_rectangle.h"
 #include "sampling/warp.h"
 
 namespace lapidary {
@@ -102,18 +101,6 @@ void filter(benchmark::State& state) {
   }
 }
 BENCHMARK(filter);
-
-void spherical_rectangle(benchmark::State& state) {
-  const Rectangle rectangle = Rectangle::from_edges({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-  Vec3d reference{0.3, 0.2, 1.0};
-  Vec2d u{0.1, 0.7};
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(reference);
-    auto sample = SphericalRectangle(rectangle, reference).sample(u);
-    benchmark::DoNotOptimize(sample);
-  }
-}
-BENCHMARK(spherical_rectangle);
 
 }  // namespace
 }  // namespace lapidary

@@ -38,4 +38,9 @@ double DiskLight::power(double) const {
   return pi / pdf_area_ * radiance_.integral();
 }
 
+Influence DiskLight::influence() const {
+  return {Influence::Reach::in_front, power(0) * inv_pi, center_, normal_,
+          length_squared(radius_x_)};
+}
+
 }  // namespace lapidary::light

@@ -4,6 +4,7 @@
 
 #include "geometry/sheet.h"
 #include "light/illumination.h"
+#include "light/influence.h"
 #include "spectrum/spectrum.h"
 
 namespace lapidary::light {
@@ -18,6 +19,7 @@ class DiskLight {
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
   SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   double power(double scene_radius) const;
+  Influence influence() const;
 
  private:
   Vec3d center_;

@@ -45,4 +45,8 @@ double DistantLight::power(double scene_radius) const {
   return pi * scene_radius * scene_radius * spread * irradiance_.integral();
 }
 
+Influence DistantLight::influence() const {
+  return {Influence::Reach::everywhere, irradiance_.integral(), {}, {}, 0.0};
+}
+
 }  // namespace lapidary::light

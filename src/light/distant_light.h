@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "light/illumination.h"
+#include "light/influence.h"
 #include "math/frame.h"
 #include "spectrum/spectrum.h"
 
@@ -27,6 +28,7 @@ class DistantLight {
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
   SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   double power(double scene_radius) const;
+  Influence influence() const;
 
  private:
   bool in_patch(Vec3d wi) const;

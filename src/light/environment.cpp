@@ -41,6 +41,10 @@ double ConstantEnvironment::power(double scene_radius) const {
   return 4.0 * pi * cross_section(scene_radius) * radiance.integral();
 }
 
+Influence ConstantEnvironment::influence() const {
+  return {Influence::Reach::everywhere, pi * radiance.integral(), {}, {}, 0.0};
+}
+
 // Places on the picture are fractions of its width and height. Cells are as wide as a pixel, and
 // within a cell directions are uniform in solid angle: a row spans equal steps of azimuth, and of
 // cosine between its edges.
@@ -178,6 +182,11 @@ SampledSpectrum ImageEnvironment::emitted(Vec3d wi, const LightHit&,
 
 double ImageEnvironment::power(double scene_radius) const {
   return cross_section(scene_radius) * tables_->power_per_area;
+}
+
+Influence ImageEnvironment::influence() const {
+  // As if the picture's mean came from all around.
+  return {Influence::Reach::everywhere, 0.25 * tables_->power_per_area, {}, {}, 0.0};
 }
 
 }  // namespace lapidary::light

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "light/illumination.h"
+#include "light/influence.h"
 #include "sampling/distribution.h"
 #include "spectrum/spectrum.h"
 
@@ -19,6 +20,7 @@ struct ConstantEnvironment {
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
   SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   double power(double scene_radius) const;
+  Influence influence() const;
 };
 
 /// Radiance by direction from an equirectangular picture: rows from +z down to -z, the middle
@@ -41,6 +43,7 @@ class ImageEnvironment {
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
   SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   double power(double scene_radius) const;
+  Influence influence() const;
 
   /// The interpolated picture towards `wi`.
   Rgb color_towards(Vec3d wi) const;

@@ -22,6 +22,10 @@ double power(const Light& light, double scene_radius) {
   return std::visit([&](const auto& kind) { return kind.power(scene_radius); }, light);
 }
 
+Influence influence(const Light& light) {
+  return std::visit([](const auto& kind) { return kind.influence(); }, light);
+}
+
 bool is_delta(const Light& light) {
   const auto* distant = std::get_if<DistantLight>(&light);
   return std::holds_alternative<PointLight>(light) || std::holds_alternative<SpotLight>(light) ||

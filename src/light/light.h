@@ -7,6 +7,7 @@
 #include "light/distant_light.h"
 #include "light/environment.h"
 #include "light/illumination.h"
+#include "light/influence.h"
 #include "light/mesh_light.h"
 #include "light/point_light.h"
 #include "light/rectangle_light.h"
@@ -43,6 +44,9 @@ SampledSpectrum emitted(const Light& light, Vec3d wi, const LightHit& hit,
 /// of `scene_radius` around the scene. For choosing lights; a picture's is that of its pixels
 /// without interpolation.
 double power(const Light& light, double scene_radius);
+
+/// How much the light could matter at a point, for choosing among a few.
+Influence influence(const Light& light);
 
 /// Never met by chance, only by `sample_illumination`.
 bool is_delta(const Light& light);

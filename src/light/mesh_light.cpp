@@ -34,6 +34,7 @@ MeshLight::MeshLight(const geometry::TriangleMesh& mesh, std::span<const std::ui
     if (!(area > 0.0)) continue;
     triangles_.push_back({corner, edge1, edge2});
     areas.push_back(area);
+    for (const Vec3d& q : {corner, corner + edge1, corner + edge2}) bounds_.extend(q);
   }
   if (areas.empty()) return;
   by_area_.emplace(areas);
@@ -61,6 +62,14 @@ SampledSpectrum MeshLight::emitted(Vec3d wi, const LightHit& hit,
 
 double MeshLight::power(double) const {
   return pi * area_ * radiance_.integral();
+}
+
+Influence MeshLight::influence() const {
+  return {Influence::Reach::around,
+          power(0) / (4.0 * pi),
+          bounds_.center(),
+          {},
+          0.25 * length_squared(bounds_.extent())};
 }
 
 }  // namespace lapidary::light

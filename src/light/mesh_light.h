@@ -7,6 +7,7 @@
 
 #include "geometry/triangle_mesh.h"
 #include "light/area_sample.h"
+#include "light/influence.h"
 #include "math/transform.h"
 #include "sampling/distribution.h"
 
@@ -27,6 +28,7 @@ class MeshLight {
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
   SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   double power(double scene_radius) const;
+  Influence influence() const;
 
  private:
   struct Triangle {
@@ -37,6 +39,7 @@ class MeshLight {
   std::vector<Triangle> triangles_;
   std::optional<DiscreteDistribution> by_area_;  // none without area
   double area_ = 0;
+  Box3d bounds_;
   Spectrum radiance_;
 };
 

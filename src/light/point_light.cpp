@@ -28,6 +28,10 @@ double PointLight::power(double) const {
   return 4.0 * pi * intensity.integral();
 }
 
+Influence PointLight::influence() const {
+  return {Influence::Reach::around, intensity.integral(), position, {}, 0.0};
+}
+
 SpotLight::SpotLight(Vec3d position, const Cone& cone, Spectrum intensity)
     : position_(position),
       axis_(normalize(cone.axis)),
@@ -61,6 +65,10 @@ std::optional<LightSample> SpotLight::sample_illumination(Vec3d p, const LightNu
 
 double SpotLight::power(double) const {
   return effective_solid_angle_ * intensity_.integral();
+}
+
+Influence SpotLight::influence() const {
+  return {Influence::Reach::around, intensity_.integral(), position_, {}, 0.0};
 }
 
 }  // namespace lapidary::light

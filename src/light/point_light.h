@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "light/illumination.h"
+#include "light/influence.h"
 #include "spectrum/spectrum.h"
 
 namespace lapidary::light {
@@ -18,6 +19,7 @@ struct PointLight {
   double pdf_illumination(Vec3d, Vec3d, const LightHit&) const { return 0.0; }
   SampledSpectrum emitted(Vec3d, const LightHit&, const Wavelengths&) const { return {}; }
   double power(double scene_radius) const;
+  Influence influence() const;
 };
 
 /// A point that shines into a cone about an axis. With t = (cos theta - cos outer) /
@@ -42,6 +44,7 @@ class SpotLight {
   double pdf_illumination(Vec3d, Vec3d, const LightHit&) const { return 0.0; }
   SampledSpectrum emitted(Vec3d, const LightHit&, const Wavelengths&) const { return {}; }
   double power(double scene_radius) const;
+  Influence influence() const;
 
  private:
   double falloff(double cos_theta) const;

@@ -77,4 +77,9 @@ double RectangleLight::power(double) const {
   return pi * area_ * radiance_.integral();
 }
 
+Influence RectangleLight::influence() const {
+  const double radius = 0.5 * std::hypot(length_u_, length_v_);
+  return {Influence::Reach::in_front, power(0) * inv_pi, center_, normal_, radius * radius};
+}
+
 }  // namespace lapidary::light

@@ -4,6 +4,7 @@
 
 #include "geometry/sheet.h"
 #include "light/illumination.h"
+#include "light/influence.h"
 #include "light/spherical_rectangle.h"
 #include "spectrum/spectrum.h"
 
@@ -21,6 +22,7 @@ class RectangleLight {
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
   SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   double power(double scene_radius) const;
+  Influence influence() const;
 
  private:
   bool sampled_by_solid_angle(Vec3d p) const;

@@ -26,4 +26,13 @@ double SolidLight::power(double) const {
   return pi * area(solid_) * radiance_.integral();
 }
 
+Influence SolidLight::influence() const {
+  const Box3d box = bounds(solid_);
+  return {Influence::Reach::around,
+          power(0) / (4.0 * pi),
+          box.center(),
+          {},
+          0.25 * length_squared(box.extent())};
+}
+
 }  // namespace lapidary::light

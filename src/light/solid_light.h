@@ -4,6 +4,7 @@
 
 #include "geometry/placed_solid.h"
 #include "light/area_sample.h"
+#include "light/influence.h"
 
 namespace lapidary::light {
 
@@ -18,6 +19,7 @@ class SolidLight {
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
   SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   double power(double scene_radius) const;
+  Influence influence() const;
 
  private:
   geometry::PlacedSolid solid_;

@@ -51,4 +51,8 @@ double SphereLight::power(double) const {
   return 4.0 * pi * pi * radius_ * radius_ * radiance_.integral();
 }
 
+Influence SphereLight::influence() const {
+  return {Influence::Reach::around, power(0) / (4.0 * pi), center_, {}, radius_ * radius_};
+}
+
 }  // namespace lapidary::light

@@ -70,7 +70,7 @@ class Scene {
   const ObjectInfo& object(std::uint32_t index) const { return parts_.objects[index]; }
 
   const std::vector<light::Light>& lights() const { return parts_.lights; }
-  /// Chooses lights in proportion to their power; nullptr in a scene without any.
+  /// Chooses lights for a point; nullptr in a scene without any.
   const light::LightSelector* light_selector() const { return selector_ ? &*selector_ : nullptr; }
   /// The lights that rays which hit nothing meet.
   const std::vector<std::uint32_t>& infinite_lights() const { return infinite_lights_; }

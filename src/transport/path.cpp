@@ -73,14 +73,15 @@ SampledSpectrum Path::light_met(std::uint32_t index, const light::LightHit& hit)
   const light::Light& light = scene_.lights()[index];
   const SampledSpectrum Le = light::emitted(light, ray_.direction, hit, context_.wavelengths);
   if (origin_.lobe == Lobe::specular || Le.is_zero()) return Le;
-  const double pdf_light = scene_.light_selector()->probability(index) *
+  const double pdf_light = scene_.light_selector()->probability(origin_.p, index) *
                            light::pdf_illumination(light, origin_.p, ray_.direction, hit);
   return Le * static_cast<float>(power_heuristic(origin_.pdf, pdf_light));
 }
 
 SampledSpectrum Path::direct_light(const Vertex& vertex, const VertexPoints& points) {
   if (scene_.light_selector() == nullptr) return {};
-  const auto choice = scene_.light_selector()->choose(points.light_choice());
+  const auto choice = scene_.light_selector()->choose(vertex.surface.p, points.light_choice());
+  if (choice.probability == 0.0) return {};
   const light::LightNumbers numbers{choice.remainder, points.light_position()};
   const auto sample = light::sample_illumination(scene_.lights()[choice.index], vertex.surface.p,
                                                  numbers, context_.wavelengths);
