@@ -12,6 +12,8 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
+constexpr std::uint32_t nowhere = 0xffffffff;  // in the queue
+
 // Bound of the relative rounding error of the 2x2 determinant below (Shewchuk, "Adaptive Precision
 // Floating-Point Arithmetic", 1997, ccwerrboundA).
 constexpr double turn_error = 3.3306690738754716e-16;
@@ -102,6 +104,7 @@ Triangulation PolygonTriangulator::triangulate(std::span<const Vec3d> corners,
   if (corners.size() == 4) return cut_quad(corners, triangles);
   if (!project(corners)) return fan_without_plane(corners, triangles);
   link();
+  for (Corner i = 0; i < corners.size(); ++i) cut_spikes(i, triangles);
 
   Tier tier = Tier::clear;
   Tier worst = tier;
@@ -171,8 +174,11 @@ bool PolygonTriangulator::cut_ears(Tier tier, std::vector<Triangle>& triangles) 
     const std::size_t place = queue_front_++;
     const Corner i = queue_[place];
     if (place_in_queue_[i] != place || !is_ear(i, tier)) continue;
-    triangles.push_back(ear_at(i));
+    const Triangle ear = ear_at(i);
+    triangles.push_back(ear);
     cut(i);
+    cut_spikes(ear[0], triangles);
+    cut_spikes(ear[2], triangles);
     any = true;
     if (tier != Tier::clear && work_ <= work_limit) return any;
   }
@@ -184,14 +190,24 @@ bool PolygonTriangulator::is_ear(Corner i, Tier tier) {
   if (tier == Tier::any) return true;
   const Triangle ear = ear_at(i);
   const int side = turn(ear);
-  if (tier == Tier::flat || (side == 0 && is_spike(ear))) return side == 0;
+  if (tier == Tier::flat) return side == 0;
   return side > 0 && (tier == Tier::convex || is_free(ear, tier));
 }
 
-// Of three corners on a line, whether the outline runs back over itself or stays where it is.
-bool PolygonTriangulator::is_spike(const Triangle& ear) const {
-  const Vec2d back = points_[ear[0]] - points_[ear[1]], on = points_[ear[2]] - points_[ear[1]];
-  return back.x * on.x + back.y * on.y >= 0;
+// Whether the outline runs back over itself at `i`, or stays where it is.
+bool PolygonTriangulator::is_spike(Corner i) const {
+  const Vec2d back = points_[previous_[i]] - points_[i], on = points_[next_[i]] - points_[i];
+  return back.x * on.x + back.y * on.y >= 0 && turn(ear_at(i)) == 0;
+}
+
+// Spikes enclose nothing and hide from their neighbours where the inside is, so they go at once.
+void PolygonTriangulator::cut_spikes(Corner i, std::vector<Triangle>& triangles) {
+  while (remaining_ > 3 && next_[previous_[i]] == i && is_spike(i)) {
+    const Corner before = previous_[i], after = next_[i];
+    triangles.push_back(ear_at(i));
+    cut(i);
+    i = is_spike(before) ? before : after;
+  }
 }
 
 // A triangle that holds any other corner holds a reflex one, so only those are asked.
@@ -234,7 +250,7 @@ Interval PolygonTriangulator::span_in_row(const std::array<Vec2d, 3>& triangle,
 }
 
 bool PolygonTriangulator::blocks(Corner p, const Triangle& ear, Tier tier) const {
-  const auto [a, b, c] = ear;
+  const Corner a = ear[0], b = ear[1], c = ear[2];
   if (!reflex_[p] || p == a || p == b || p == c) return false;
   if (points_[p] == points_[a] || points_[p] == points_[c]) return false;
   if (points_[p] == points_[b]) {
@@ -252,6 +268,7 @@ void PolygonTriangulator::cut(Corner i) {
   previous_[after] = before;
   reflex_count_ -= reflex_[i];
   reflex_[i] = 0;
+  place_in_queue_[i] = nowhere;
   some_corner_ = after;
   --remaining_;
   for (const Corner neighbour : {before, after}) {

@@ -52,7 +52,8 @@ class PolygonTriangulator {
   int turn(Corner a, Corner b, Corner c) const;
   int turn(const Triangle& t) const { return turn(t[0], t[1], t[2]); }
   bool is_ear(Corner i, Tier tier);
-  bool is_spike(const Triangle& ear) const;
+  bool is_spike(Corner i) const;
+  void cut_spikes(Corner i, std::vector<Triangle>& triangles);
   bool is_free(const Triangle& ear, Tier tier);
   Interval span_in_row(const std::array<Vec2d, 3>& triangle, std::size_t y) const;
   bool blocks(Corner p, const Triangle& ear, Tier tier) const;

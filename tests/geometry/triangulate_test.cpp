@@ -1,5 +1,6 @@
 #include "geometry/triangulate.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numeric>
@@ -222,11 +223,46 @@ TEST(Triangulate, CutsOutlinesThatTouchThemselvesAtACorner) {
   // Two triangles joined at the origin; one with a notch whose tip touches the opposite edge.
   expect_tiling({{0, 0}, {2, -1}, {2, 1}, {0, 0}, {-2, 1}, {-2, -1}});
   expect_tiling({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}});
+  // A notch whose tip is the tip of the whole: it leaves through the base of that ear.
+  expect_tiling({{0, 0}, {3, 3}, {1, 4}, {0, 0}, {-1, 4}, {-3, 3}});
+}
+
+TEST(Triangulate, CutsPetalsThatMeetInOnePoint) {
+  for (std::size_t petals = 2; petals < 20; ++petals) {
+    Outline outline;
+    for (std::size_t i = 0; i < petals; ++i) {
+      const double angle = 2 * pi * static_cast<double>(i) / static_cast<double>(petals);
+      const double width = 2 / static_cast<double>(petals);
+      outline.insert(outline.end(), {{0, 0},
+                                     {std::cos(angle), std::sin(angle)},
+                                     {std::cos(angle + width), std::sin(angle + width)}});
+    }
+    for (std::size_t turn = 0; turn < 3; ++turn) {
+      expect_tiling(outline);
+      std::rotate(outline.begin(), outline.begin() + 1, outline.end());
+    }
+  }
 }
 
 TEST(Triangulate, CutsOutlinesWithRepeatedCornersAndSpikes) {
   expect_tiling({{0, 0}, {0, 0}, {2, 0}, {2, 0}, {2, 2}, {2, 2}, {0, 2}});
   expect_tiling({{0, 0}, {2, 0}, {2, 1}, {5, 1}, {2, 1}, {2, 2}, {0, 2}});
+}
+
+TEST(Triangulate, CutsStarsWithSpikesAndRepeatedCorners) {
+  test::Random random(31);
+  for (int i = 0; i < 100; ++i) {
+    Outline outline;
+    for (const Vec2d p : star(random, 3 + random.index(12))) {
+      outline.push_back(p);
+      const std::size_t extras = random.index(3);
+      for (std::size_t k = 0; k < extras; ++k) {
+        if (random.index(2) == 0) outline.push_back({random.uniform(-2, 2), random.uniform(-2, 2)});
+        outline.push_back(p);
+      }
+    }
+    expect_tiling(outline, Plane{}, static_cast<std::uint64_t>(i));
+  }
 }
 
 TEST(Triangulate, SaysThatACrossingOutlineIsForcedAndKeepsItsArea) {

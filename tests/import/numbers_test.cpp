@@ -103,7 +103,7 @@ TEST(Numbers, TellsTooLargeFromTooSmall) {
   }
   EXPECT_EQ(parse(std::string(400, '9')).status, NumberStatus::too_large);
   for (const std::string& text : {std::string("1e-400"), std::string("-1e-999999999999"),
-                                 "0." + std::string(500, '0') + "1", std::string("0e999999")}) {
+                                  "0." + std::string(500, '0') + "1", std::string("0e999999")}) {
     EXPECT_EQ(parse(text).status, NumberStatus::ok) << text;
     EXPECT_EQ(parse(text).value, 0.0) << text;
   }

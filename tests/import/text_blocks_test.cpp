@@ -71,6 +71,17 @@ TEST(TextBlocks, CutsFilesBetweenLines) {
   }
 }
 
+TEST(TextBlocks, DoesNotCutBetweenCarriageReturnAndLineFeed) {
+  const TempFolder folder;
+  for (std::size_t length = (1 << 20) - 3; length < (1 << 20) + 2; ++length) {
+    const std::string word(length, 'x');
+    EXPECT_EQ(words_of(TextBlocks::of_file(folder.write("t", word + "\r\nb\r\nc"))),
+              "1:[" + word + "]2:[b]3:[c]");
+    EXPECT_EQ(words_of(TextBlocks::of_file(folder.write("t", "a\n" + word + "\\\r\nb\r\nc"))),
+              "1:[a]2:[" + word + "][b]4:[c]");
+  }
+}
+
 TEST(TextBlocks, TakesLinesLongerThanABlock) {
   const TempFolder folder;
   const std::string word(5 << 20, 'x');
