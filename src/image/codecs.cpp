@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "image/srgb.h"
+#include "spectrum/color.h"
 
 namespace lapidary::image {
 
@@ -37,7 +37,7 @@ std::vector<float> code_table(int largest, ColorSpace color_space) {
   std::vector<float> table(static_cast<std::size_t>(largest) + 1);
   for (std::size_t code = 0; code < table.size(); ++code) {
     const float signal = static_cast<float>(code) / static_cast<float>(largest);
-    table[code] = color_space == ColorSpace::linear ? signal : linear_from_srgb(signal);
+    table[code] = color_space == ColorSpace::linear ? signal : srgb_decode(signal);
   }
   return table;
 }

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "spectrum/wavelengths.h"
+#include "spectrum/rgb.h"
 
 namespace lapidary::image {
 

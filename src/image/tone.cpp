@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "image/srgb.h"
+#include "spectrum/color.h"
 
 namespace lapidary::image {
 namespace {
@@ -31,7 +31,7 @@ std::uint32_t hash(std::uint32_t x, std::uint32_t y) {
 std::uint8_t quantized(float linear, float offset) {
   // The slack keeps an exact code at that code whatever the rounding of the curve.
   constexpr float slack = 1e-4f;
-  const float code = srgb_from_linear(linear) * 255.0f;
+  const float code = srgb_encode(linear) * 255.0f;
   return static_cast<std::uint8_t>(
       std::clamp(code + slack + offset * (1.0f - 2.0f * slack), 0.0f, 255.0f));
 }
@@ -41,7 +41,7 @@ std::uint8_t quantized(float linear, float offset) {
 Rgb desaturate_negative(Rgb color) {
   const float lowest = std::min({color.r, color.g, color.b});
   if (lowest >= 0) return color;
-  const float grey = luminance_r * color.r + luminance_g * color.g + luminance_b * color.b;
+  const float grey = luminance(color);
   if (grey <= 0) return {};
   const float share = grey / (grey - lowest);
   const auto mixed = [&](float c) { return std::max(0.0f, grey + (c - grey) * share); };

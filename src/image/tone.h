@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "spectrum/wavelengths.h"
+#include "spectrum/rgb.h"
 
 namespace lapidary::image {
 

@@ -6,9 +6,9 @@
 #include "exr_maker.h"
 #include "files.h"
 #include "image/image_io.h"
-#include "image/srgb.h"
 #include "jpeg_maker.h"
 #include "png_maker.h"
+#include "spectrum/color.h"
 
 namespace lapidary::image {
 namespace {
@@ -18,7 +18,7 @@ using namespace std::string_literals;
 using ::testing::HasSubstr;
 
 float light_of_code(int code) {
-  return linear_from_srgb(static_cast<float>(code) / 255.0f);
+  return srgb_decode(static_cast<float>(code) / 255.0f);
 }
 
 TEST(ReadPng, GreyOfEveryDepth) {
@@ -30,7 +30,7 @@ TEST(ReadPng, GreyOfEveryDepth) {
     if (depth == 8) row += '\1';
     const Image image = image_of(png::file({2, 1, depth, png::grey}, "", {row}));
     EXPECT_EQ(image.rgb(0, 0), (Rgb{1, 1, 1}));
-    const float light = linear_from_srgb(1.0f / static_cast<float>(largest));
+    const float light = srgb_decode(1.0f / static_cast<float>(largest));
     EXPECT_NEAR(image.rgb(1, 0).g, light, 1e-6) << int{depth};
   }
 }
@@ -39,8 +39,8 @@ TEST(ReadPng, SixteenBits) {
   const std::string bytes =
       png::file({2, 1, 16, png::rgb}, "", {"\x12\x34\x56\x78\x9A\xBC\0\0\0\1\xFF\xFF"s});
   const Image image = image_of(bytes);
-  EXPECT_NEAR(image.rgb(0, 0).r, linear_from_srgb(0x1234 / 65535.0f), 1e-7);
-  EXPECT_NEAR(image.rgb(0, 0).b, linear_from_srgb(0x9ABC / 65535.0f), 1e-6);
+  EXPECT_NEAR(image.rgb(0, 0).r, srgb_decode(0x1234 / 65535.0f), 1e-7);
+  EXPECT_NEAR(image.rgb(0, 0).b, srgb_decode(0x9ABC / 65535.0f), 1e-6);
   EXPECT_EQ(image.rgb(1, 0).b, 1);
   const Image linear = image_of(bytes, {.color_space = ColorSpace::linear});
   EXPECT_NEAR(linear.rgb(0, 0).g, 0x5678 / 65535.0, 1e-7);
