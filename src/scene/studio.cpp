@@ -77,12 +77,16 @@ void add_lights(SceneDescription& scene) {
   const double r = radius(box);
   const Vec3d c = box.center();
   const auto at = [&](double x, double y, double z) { return c + Vec3d{x, y, z} * r; };
-  scene.objects.push_back(
-      softbox(at(-3.2, -2.6, 3.4), c, 1.5 * r, lamp(9.0, {1.0f, 0.97f, 0.92f})));
-  scene.objects.push_back(softbox(at(4.0, -2.2, 1.6), c, 1.6 * r, lamp(2.4, {0.9f, 0.95f, 1.0f})));
-  scene.objects.push_back(softbox(at(0.6, 1.6, 4.6), c, 1.2 * r, lamp(6.0, {1.0f, 1.0f, 1.0f})));
+  // Each stands so far out that all the camera sees lies before its front: the plane of a light
+  // that cuts the floor would draw a line there.
+  const auto key = lamp(12.5, {1.0f, 0.97f, 0.93f});
+  const auto fill = lamp(2.2, {0.92f, 0.96f, 1.0f});
+  const auto top = lamp(3.0, {1.0f, 1.0f, 1.0f});
+  scene.objects.push_back(softbox(at(-4.2, -6.2, 6.0), c, 2.0 * r, key));
+  scene.objects.push_back(softbox(at(6.5, -6.0, 3.0), c, 2.4 * r, fill));
+  scene.objects.push_back(softbox(at(0.0, 0.8, 7.0), at(0.0, 0.8, 0.0), 2.2 * r, top));
   description::ConstantEnvironment around;
-  around.radiance = Spectrum::illuminant({0.22f, 0.23f, 0.25f});
+  around.radiance = Spectrum::illuminant({0.16f, 0.17f, 0.19f});
   scene.lights.push_back({around, {}});
 }
 

@@ -281,7 +281,9 @@ TEST(LightSelector, NeverLeavesOutALightThatReachesThePoint) {
                   20 * random.uniform() - 10};
     const LightNumbers numbers{0.5, {random.uniform(), random.uniform()}};
     const auto sample = sample_illumination(lights[0], p, numbers, w);
-    if (sample && !sample->L.is_zero()) EXPECT_GT(selector.probability(p, 0), 0.0);
+    if (sample && !sample->L.is_zero()) {
+      EXPECT_GT(selector.probability(p, 0), 0.0);
+    }
   }
 }
 
