@@ -89,8 +89,7 @@ void check_settings(const std::vector<Assignment>& settings) {
     apply_settings(settings, scratch);
     render::check_size(scratch.size);
   } catch (const Error& error) {
-    throw UsageError(fmt::format("{}: {}", to_string(error.where()), error.problem()),
-                     error.hint());
+    throw UsageError(error.problem(), error.hint());
   }
 }
 
