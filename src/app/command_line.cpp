@@ -119,7 +119,7 @@ void add_setting(CLI::App& verb, const std::string& key, std::vector<Assignment>
 
 void add_settings(CLI::App& verb, std::vector<Assignment>& settings) {
   add_texts(
-      verb, "--render", "KEY=VALUE", "any key of the scene's render table",
+      verb, "--render", "KEY=VALUE", "any key of the scene's render or film table",
       [&](const std::string& text) { settings.push_back(parse_assignment("--render", text)); });
   add_setting(verb, "size", settings, "WxH", "pixels of the picture");
   add_setting(verb, "samples", settings, "N", "stop after N samples per pixel");
