@@ -1,25 +1,39 @@
 #!/usr/bin/env python3
 """Runs the benchmarks and prints their numbers as a table: key, value, unit, target.
 
-Two sources, one table. Programs of bench/ called bench_GROUP measure a part and print lines
-"key value unit target" (bench/report.h). SCENES below measure whole renders through the command
-line, from the JSON that --stats writes.
+Programs of bench/ called bench_GROUP measure a part and print lines "key value unit target"
+(bench/report.h). SCENES below measure whole renders through the command line, from the JSON that
+--stats writes; the group "cli" measures the command line itself.
 """
 
 import argparse
+import dataclasses
 import json
 import pathlib
+import statistics
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-# (group, scene, options, target for millions of samples per core and second)
+
+@dataclasses.dataclass(frozen=True)
+class Scene:
+    """A scene to render, and the least it should reach."""
+    group: str
+    file: str
+    options: tuple
+    msamples: str  # millions of samples per core and second
+    peak_mb: str = "-"
+    needs_blob: bool = False  # the mesh that build/.../write_blob writes
+
+
 SCENES = (
-    ("cornell", "examples/cornell.lua",
-     ["--size", "512x512", "--samples", "64", "--render", "max_depth=8"], ">=0.9"),
-    ("mesh", "bench/scenes/million_triangles.lua", [], ">=0.75"),
+    Scene("cornell", "examples/cornell.lua",
+          ("--size", "512x512", "--samples", "64", "--render", "max_depth=8"), ">=0.9"),
+    Scene("mesh", "bench/scenes/million_triangles.lua", (), ">=0.75", "<=250", needs_blob=True),
 )
 
 
@@ -30,18 +44,36 @@ def rows_of_program(path):
         yield key, float(value), unit, target
 
 
-def rows_of_scene(lapidary, group, scene, options, target):
+def render(build, scene, folder):
+    """The statistics of rendering `scene`; files go to `folder`."""
+    options = [*scene.options]
+    if scene.needs_blob:
+        subprocess.run([build / "write_blob", folder / "blob.obj"], check=True)
+        options += ["--set", f"mesh={folder}/blob.obj", "--allow", folder]
+    subprocess.run([build / "lapidary", "render", ROOT / scene.file, "-o", folder / "out.exr",
+                    "--stats", folder / "stats.json", "--quiet", *options], check=True)
+    return json.loads((folder / "stats.json").read_text())
+
+
+def rows_of_scene(build, scene):
     with tempfile.TemporaryDirectory() as folder:
-        stats_file = pathlib.Path(folder) / "stats.json"
-        subprocess.run([lapidary, "render", ROOT / scene, "-o", pathlib.Path(folder) / "out.exr",
-                        "--stats", stats_file, "--quiet", *options], check=True)
-        stats = json.loads(stats_file.read_text())
-    core_seconds = stats["seconds"]["render"] * stats["threads"]
+        stats = render(build, scene, pathlib.Path(folder))
+    core_seconds = stats["render_cpu_seconds"]  # fair on a machine that does other things, too
     width, height = stats["size"]
     samples = stats["samples_per_pixel"] * width * height
-    yield f"{group}.msamples_per_core", samples / core_seconds / 1e6, "M/s", target
-    yield f"{group}.mrays_per_core", stats["rays"] / core_seconds / 1e6, "M/s", "-"
-    yield f"{group}.peak_rss", stats["peak_rss_bytes"] / 2**20, "MiB", "-"
+    yield f"{scene.group}.msamples_per_core", samples / core_seconds / 1e6, "M/s", scene.msamples
+    yield f"{scene.group}.mrays_per_core", stats["rays"] / core_seconds / 1e6, "M/s", "-"
+    yield f"{scene.group}.noise", stats["noise"], "rel", "-"
+    yield f"{scene.group}.peak_rss", stats["peak_rss_bytes"] / 1e6, "MB", scene.peak_mb
+
+
+def rows_of_command_line(build):
+    def start():
+        begin = time.perf_counter()
+        subprocess.run([build / "lapidary", "help"], check=True, stdout=subprocess.DEVNULL)
+        return time.perf_counter() - begin
+
+    yield "cli.help_start", 1e3 * statistics.median(start() for _ in range(21)), "ms", "<=30"
 
 
 def meets(value, target):
@@ -55,15 +87,17 @@ def measure(build, wanted):
     """Yields (key, value, unit, target) of the group `wanted`, or of all."""
     groups = {path.name.removeprefix("bench_"): path
               for path in sorted(build.glob("bench_*")) if path.is_file()}
-    known = sorted(set(groups) | {scene[0] for scene in SCENES})
+    known = sorted({*groups, "cli", *(scene.group for scene in SCENES)})
     if wanted and wanted not in known:
         sys.exit(f"bench: no group '{wanted}'; there are {', '.join(known)}")
     for group, path in groups.items():
         if wanted in (None, group):
             yield from rows_of_program(path)
     for scene in SCENES:
-        if wanted in (None, scene[0]):
-            yield from rows_of_scene(build / "lapidary", *scene)
+        if wanted in (None, scene.group):
+            yield from rows_of_scene(build, scene)
+    if wanted in (None, "cli"):
+        yield from rows_of_command_line(build)
 
 
 def main():
@@ -74,10 +108,13 @@ def main():
                         help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     table = {}
-    for key, value, unit, target in measure(arguments.build, arguments.group):
-        note = "" if meets(value, target) else "  missed"
-        print(f"{key:<32} {value:>12.4g}  {unit:<10} {target}{note}", flush=True)
-        table[key] = {"value": value, "unit": unit, "target": target}
+    try:
+        for key, value, unit, target in measure(arguments.build, arguments.group):
+            note = "" if meets(value, target) else "  missed"
+            print(f"{key:<32} {value:>12.4g}  {unit:<10} {target}{note}", flush=True)
+            table[key] = {"value": value, "unit": unit, "target": target}
+    except subprocess.CalledProcessError as error:
+        sys.exit(f"bench: {pathlib.Path(error.cmd[0]).name} ended with {error.returncode}")
     if arguments.json:
         pathlib.Path(arguments.json).write_text(json.dumps(table, indent=2) + "\n")
 

@@ -9,6 +9,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "schema/suggest.h"
+
 namespace lapidary::app {
 namespace {
 
@@ -117,7 +119,7 @@ void add_setting(CLI::App& verb, const std::string& key, std::vector<Assignment>
 
 void add_settings(CLI::App& verb, std::vector<Assignment>& settings) {
   add_texts(
-      verb, "--render", "KEY=VALUE", "any key of the scene's render table",
+      verb, "--render", "KEY=VALUE", "any key of the scene's render or film table",
       [&](const std::string& text) { settings.push_back(parse_assignment("--render", text)); });
   add_setting(verb, "size", settings, "WxH", "pixels of the picture");
   add_setting(verb, "samples", settings, "N", "stop after N samples per pixel");
@@ -139,7 +141,8 @@ void declare(CLI::App& verb, RenderCommand& command) {
            [&](const std::string& text) { command.stats_file = text; });
   const std::vector<std::pair<std::string, ProgressStyle>> styles = {
       {"bar", ProgressStyle::bar}, {"lines", ProgressStyle::lines}, {"json", ProgressStyle::json}};
-  add_choice(verb, "--progress", command.progress, styles, "how (bar on a terminal, else lines)");
+  add_choice(verb, "--progress", command.progress, styles,
+             "how to show progress (bar on a terminal)");
   verb.add_flag_callback(
       "--quiet", [&] { command.progress = ProgressStyle::none; }, "warnings and errors only");
 }
@@ -168,13 +171,24 @@ void declare(CLI::App& verb, HelpCommand& command) {
   verb.add_option("NODE", command.topic, "a node of the scene language, or a verb")->type_name("");
 }
 
+UsageError unexpected_argument(const std::string& argument, const CLI::App& verb,
+                               const std::string& hint) {
+  if (argument[0] != '-')
+    return UsageError(fmt::format("unexpected argument '{}'", argument), hint);
+  Strings names;
+  for (const CLI::Option* option : verb.get_options()) names.push_back(option->get_name());
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  const std::string suggestion = schema::did_you_mean(argument, candidates);
+  return UsageError(fmt::format("unknown option '{}'", argument),
+                    suggestion.empty() ? hint : suggestion);
+}
+
 /// CLI11's complaints in our words.
 UsageError usage_error(const CLI::ParseError& error, const CLI::App& verb) {
   const std::string hint = fmt::format("{} --help lists what there is", verb.get_name());
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     const Strings extras = verb.remaining();
-    return UsageError(fmt::format("unexpected argument '{}'", extras.empty() ? "" : extras[0]),
-                      hint);
+    return unexpected_argument(extras.empty() ? "" : extras.front(), verb, hint);
   }
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
     std::string what = error.what();
@@ -193,6 +207,9 @@ struct Verb {
 template <typename Kind>
 Command parse_as(const Verb& verb, Strings arguments) {
   CLI::App app{verb.summary, "lapidary " + verb.name};
+  app.set_help_flag("-h,--help", "print this");
+  app.get_formatter()->label("REQUIRED", "");
+  app.get_formatter()->label("Positionals", "Arguments");
   Kind command;
   declare(app, command);
   std::ranges::reverse(arguments);  // CLI11 reads a vector from its end

@@ -51,7 +51,8 @@ description::SceneDescription load_obj(const SceneArguments& arguments, WarningL
 }
 
 /// Stop rules of the command line replace all of the scene's; the other settings change singly.
-void apply_settings(const std::vector<Assignment>& settings, description::RenderSettings& render) {
+void apply_settings(const std::vector<Assignment>& settings, description::RenderSettings& render,
+                    description::FilmSettings& film) {
   constexpr std::array<std::string_view, 3> stop_rules = {"samples", "time", "noise"};
   const auto is_stop_rule = [&](const Assignment& setting) {
     return std::ranges::find(stop_rules, setting.name) != stop_rules.end();
@@ -62,7 +63,7 @@ void apply_settings(const std::vector<Assignment>& settings, description::Render
     render.noise.reset();
   }
   for (const Assignment& setting : settings) {
-    description::apply_render_override(render, setting.name, setting.value);
+    description::apply_override(render, film, setting.name, setting.value);
   }
 }
 
@@ -74,7 +75,7 @@ description::SceneDescription load_scene(const SceneArguments& arguments,
   const SceneKind kind = kind_of(arguments.file);
   description::SceneDescription scene =
       kind == SceneKind::lua ? load_lua(arguments, warnings) : load_obj(arguments, warnings);
-  apply_settings(settings, scene.render);
+  apply_settings(settings, scene.render, scene.film);
   if (kind == SceneKind::lua) {
     scene::add_missing_studio(scene);
   } else {
@@ -85,12 +86,12 @@ description::SceneDescription load_scene(const SceneArguments& arguments,
 
 void check_settings(const std::vector<Assignment>& settings) {
   try {
-    description::RenderSettings scratch;
-    apply_settings(settings, scratch);
-    render::check_size(scratch.size);
+    description::RenderSettings render;
+    description::FilmSettings film;
+    apply_settings(settings, render, film);
+    render::check_size(render.size);
   } catch (const Error& error) {
-    throw UsageError(fmt::format("{}: {}", to_string(error.where()), error.problem()),
-                     error.hint());
+    throw UsageError(error.problem(), error.hint());
   }
 }
 

@@ -20,10 +20,10 @@ std::string format_rate(double samples_per_second) {
 
 /// What stands beside a bar, most important first.
 std::vector<std::string> facts(const ProgressState& state) {
-  std::vector<std::string> all = {fmt::format("{:3.0f} %", std::floor(100 * state.fraction))};
+  std::vector<std::string> all = {fmt::format("{:.0f} %", std::floor(100 * state.fraction))};
   if (state.seconds_left) all.push_back(format_duration(*state.seconds_left) + " left");
   if (state.noise) all.push_back(fmt::format("noise {:.3g}", *state.noise));
-  all.push_back(fmt::format("{} per pixel", state.samples));
+  all.push_back(fmt::format("{} samples per pixel", state.samples));
   all.push_back(format_rate(state.samples_per_second));
   return all;
 }

@@ -153,7 +153,9 @@ ExitCode run(const RenderCommand& command) {
                    .height = statistics.size.height,
                    .layers = layers_for(pictures),
                    .exposure_factor = description.film.exposure});
+  const double cpu_seconds_before = process_cpu_seconds();
   statistics.render = render_watched(command, scene, description.render, film, pool);
+  statistics.render_cpu_seconds = process_cpu_seconds() - cpu_seconds_before;
   statistics.samples_per_pixel = film.passes();
   statistics.threads = pool.threads();
   statistics.seconds.render = clock.lap();

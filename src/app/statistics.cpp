@@ -12,11 +12,21 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-}  // namespace
-
-std::string to_json(const RunStatistics& s) {
+rusage usage_of_process() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
+  return usage;
+}
+
+}  // namespace
+
+double process_cpu_seconds() {
+  const rusage usage = usage_of_process();
+  return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+}
+
+std::string to_json(const RunStatistics& s) {
+  const long peak_kibibytes = usage_of_process().ru_maxrss;
   const render::BlockTally& tally = s.render.tally;
   nlohmann::ordered_json json = {
       {"version", LAPIDARY_VERSION},
@@ -33,11 +43,12 @@ std::string to_json(const RunStatistics& s) {
         {"photons", 0.0},
         {"render", s.seconds.render},
         {"write", s.seconds.write}}},
-      {"cpu_seconds", seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime)},
+      {"cpu_seconds", process_cpu_seconds()},
+      {"render_cpu_seconds", s.render_cpu_seconds},
       {"samples_per_pixel", s.samples_per_pixel},
       {"rays", tally.counters.nearest_queries + tally.counters.occlusion_queries},
       {"photons", 0},
-      {"peak_rss_bytes", static_cast<std::uint64_t>(usage.ru_maxrss) * 1024},
+      {"peak_rss_bytes", static_cast<std::uint64_t>(peak_kibibytes) * 1024},
       {"threads", s.threads},
       {"nan_samples", tally.faults.not_finite},
       {"saturated_samples", tally.faults.saturated},

@@ -24,8 +24,12 @@ struct RunStatistics {
   PhaseSeconds seconds;
   std::uint64_t samples_per_pixel = 0;
   int threads = 0;
+  double render_cpu_seconds = 0;  ///< processor time of the phase `render`
   render::Statistics render;
 };
+
+/// Processor time that the process has used so far, of all threads.
+double process_cpu_seconds();
 
 /// As JSON, with what the operating system says about the process: CPU time and memory.
 std::string to_json(const RunStatistics& statistics);

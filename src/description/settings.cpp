@@ -1,5 +1,6 @@
 #include "description/settings.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include <fmt/format.h>
@@ -156,12 +157,33 @@ std::vector<schema::NodeKind> settings_kinds() {
   return {table_kind(render_declaration()), table_kind(film_declaration())};
 }
 
-void apply_render_override(RenderSettings& settings, std::string_view key, std::string_view value) {
+namespace {
+
+template <typename Settings>
+void apply(const Declaration<Settings>& declaration, Settings& settings, std::string_view key,
+           std::string_view value) {
   schema::ValueArena arena;
   const auto flag = std::make_shared<const std::string>(fmt::format("--render {}={}", key, value));
-  const schema::Call call{"render", schema::CallSite(flag, 0)};
+  const schema::Call call{declaration.info().name, schema::CallSite(flag, 0)};
   const Value parsed = schema::parse_literal(value, arena).value_or(Value(value));
-  render_declaration().set(settings, key, parsed, Context(call));
+  declaration.set(settings, key, parsed, Context(call));
+}
+
+}  // namespace
+
+void apply_render_override(RenderSettings& settings, std::string_view key, std::string_view value) {
+  apply(render_declaration(), settings, key, value);
+}
+
+void apply_override(RenderSettings& render, FilmSettings& film, std::string_view key,
+                    std::string_view value) {
+  const auto& film_keys = film_declaration().info().parameters;
+  const auto has_key = [key](const schema::ParameterInfo& p) { return p.name == key; };
+  if (std::any_of(film_keys.begin(), film_keys.end(), has_key)) {
+    apply(film_declaration(), film, key, value);
+  } else {
+    apply(render_declaration(), render, key, value);
+  }
 }
 
 }  // namespace lapidary::description

@@ -51,4 +51,8 @@ struct RenderSettings {
 /// the scene language; throws Error.
 void apply_render_override(RenderSettings& settings, std::string_view key, std::string_view value);
 
+/// The same for the keys of both tables: "exposure" and "tone" are the film's.
+void apply_override(RenderSettings& render, FilmSettings& film, std::string_view key,
+                    std::string_view value);
+
 }  // namespace lapidary::description

@@ -72,7 +72,7 @@ TEST(CommandLine, SaysWhatIsWrong) {
   EXPECT_EQ(problem_of({"paint"}), "unknown verb 'paint'");
   EXPECT_EQ(problem_of({"render"}), "SCENE is missing");
   EXPECT_EQ(problem_of({"render", "a.lua", "b.lua"}), "unexpected argument 'b.lua'");
-  EXPECT_EQ(problem_of({"render", "a.lua", "--sampels", "3"}), "unexpected argument '--sampels'");
+  EXPECT_EQ(problem_of({"render", "a.lua", "--sampels", "3"}), "unknown option '--sampels'");
   EXPECT_THAT(problem_of({"render", "a.lua", "-o"}), HasSubstr("-o"));
   EXPECT_EQ(problem_of({"render", "a.lua", "--set", "n"}), "--set takes NAME=VALUE, not 'n'");
   EXPECT_EQ(problem_of({"render", "a.lua", "--render", "=3"}),

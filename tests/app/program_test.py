@@ -12,6 +12,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 LAPIDARY = None  # set by main
@@ -308,6 +309,18 @@ class Interrupt(ProgramTest):
         stats = json.loads((self.folder / "s.json").read_text())
         self.assertEqual(stats["ended"], "interrupted")
         self.assertGreater(stats["samples_per_pixel"], 0)
+
+    def test_asked_twice_it_ends_at_once(self):
+        self.write("ball.lua", BALL)
+        program = self.start("render", "ball.lua", "--samples", "16000000", "--size", "400x300",
+                             "--progress", "json")
+        self.addCleanup(program.kill)
+        program.stderr.readline()
+        program.send_signal(signal.SIGINT)
+        time.sleep(0.02)
+        program.send_signal(signal.SIGINT)
+        program.communicate(timeout=60)
+        self.assertEqual(program.returncode, 4)
 
     def test_leaves_nothing_temporary_behind(self):
         self.write("ball.lua", BALL)

@@ -37,7 +37,7 @@ TEST(Progress, BarShowsEverythingWhereThereIsRoom) {
   const std::string line = bar_line(half_way, 120);
   EXPECT_THAT(line, HasSubstr("####...."));
   for (const char* fact :
-       {"50 %", "10 s left", "noise 0.0314", "32 per pixel", "1.25 M samples/s"}) {
+       {"50 %", "10 s left", "noise 0.0314", "32 samples per pixel", "1.25 M samples/s"}) {
     EXPECT_THAT(line, HasSubstr(fact));
   }
 }

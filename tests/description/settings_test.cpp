@@ -34,6 +34,17 @@ TEST(RenderOverride, SetsEveryKey) {
   EXPECT_EQ(r.seed, 9007199254740992u);
 }
 
+TEST(RenderOverride, ReachesTheFilmToo) {
+  RenderSettings render;
+  FilmSettings film;
+  apply_override(render, film, "samples", "3");
+  apply_override(render, film, "exposure", "2");
+  apply_override(render, film, "tone", "none");
+  EXPECT_EQ(render.samples, 3);
+  EXPECT_EQ(film.exposure, 2);
+  EXPECT_EQ(film.tone, ToneCurve::none);
+}
+
 TEST(RenderOverride, RefusesAsTheSceneDoes) {
   const auto error_of = [](std::string_view key, std::string_view value) {
     return Constructor::message_of([&] {
