@@ -65,8 +65,8 @@ int load_text(lua_State* L) {
   lua_pushliteral(L, "=(load)");
   lua_pushliteral(L, "t");
   if (has_environment) lua_pushvalue(L, 4);
-  lua_call(L, has_environment ? 4 : 3, 2);
-  return 2;
+  lua_call(L, has_environment ? 4 : 3, LUA_MULTRET);
+  return lua_gettop(L) - 4;
 }
 
 /// __index of the globals: reached only by names that nobody defined.

@@ -57,17 +57,16 @@ Error explain(Location where, std::string_view message) {
 
 }  // namespace
 
-void raise(lua_State* L, std::exception_ptr problem) {
+int raise(lua_State* L, std::exception_ptr problem) {
   push_exception(L, std::move(problem));
-  lua_error(L);
-  std::terminate();  // lua_error does not return
+  return lua_error(L);
 }
 
-void raise(lua_State* L, const Error& error) {
-  raise(L, std::make_exception_ptr(error));
+int raise(lua_State* L, const Error& error) {
+  return raise(L, std::make_exception_ptr(error));
 }
 
-void raise_current(lua_State* L, std::exception_ptr problem) {
+int raise_with_place(lua_State* L, std::exception_ptr problem) {
   try {
     std::rethrow_exception(problem);
   } catch (const Error& error) {
@@ -76,8 +75,9 @@ void raise_current(lua_State* L, std::exception_ptr problem) {
       problem = std::make_exception_ptr(Error(std::move(where), error.problem(), error.hint()));
     }
   } catch (const std::exception&) {
+    // Anything else goes on as it is.
   }
-  raise(L, std::move(problem));
+  return raise(L, std::move(problem));
 }
 
 std::exception_ptr exception_at(lua_State* L, int index) {

@@ -10,9 +10,11 @@ namespace lapidary::lua {
 // Exceptions travel through Lua as error values, so that a scene's pcall sees them like any other
 // error (tostring gives the message), and come out unchanged.
 
-/// Raises `problem` as a Lua error.
-[[noreturn]] void raise(lua_State* L, std::exception_ptr problem);
-[[noreturn]] void raise(lua_State* L, const Error& error);
+/// Raises `problem` as a Lua error; does not return, whatever its type says, as lua_error.
+int raise(lua_State* L, std::exception_ptr problem);
+int raise(lua_State* L, const Error& error);
+/// As `raise`; an Error without a place gets that of the line that called.
+int raise_with_place(lua_State* L, std::exception_ptr problem);
 
 /// The exception that travels as the value at `index`; null when it is another value.
 std::exception_ptr exception_at(lua_State* L, int index);
@@ -20,13 +22,7 @@ std::exception_ptr exception_at(lua_State* L, int index);
 /// A message handler for lua_pcall: turns any error value into an Error with its place.
 int error_with_place(lua_State* L);
 
-/// A function for Lua: `F`, which may throw what derives from std::exception. An Error without a
-/// place gets that of the line that called.
-template <int (*F)(lua_State*)>
-int guarded(lua_State* L);
-
-[[noreturn]] void raise_current(lua_State* L, std::exception_ptr problem);
-
+/// A function for Lua: `F`, which may throw what derives from std::exception.
 template <int (*F)(lua_State*)>
 int guarded(lua_State* L) {
   std::exception_ptr problem;
@@ -35,7 +31,7 @@ int guarded(lua_State* L) {
   } catch (const std::exception&) {  // Lua's own errors are of another type and pass
     problem = std::current_exception();
   }
-  raise_current(L, std::move(problem));
+  return raise_with_place(L, std::move(problem));
 }
 
 }  // namespace lapidary::lua

@@ -327,6 +327,7 @@ class PatternMatcher {
   }
 
   bool skip_again(const Capture& capture, std::size_t& at) {
+    if (capture.is_position) return false;  // caught no text that could come again
     const std::string_view text = subject_.substr(capture.begin, capture.end - capture.begin);
     step(text.size() / 16);
     if (subject_.substr(at, text.size()) != text) return false;

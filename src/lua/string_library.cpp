@@ -70,28 +70,28 @@ std::optional<Match> find_plain(lua_State* L, std::string_view subject, std::str
   return Match{begin, begin + text.size(), {}};
 }
 
-std::optional<Match> search(lua_State* L, std::string_view subject, bool plain) {
-  const std::string_view text = check_text(L, 2);
-  const auto from = start_argument(L, 3, subject.size());
-  if (!from) return std::nullopt;
-  if (plain || text.find_first_of("^$*+?.([%-") == std::string_view::npos) {
-    return find_plain(L, subject, text, *from);
-  }
-  return Pattern(text).find(subject, *from, payer(L));
-}
-
 int find(lua_State* L) {
   const std::string_view subject = check_text(L, 1);
-  const auto match = search(L, subject, lua_toboolean(L, 4) != 0);
-  if (!match) return lua_pushnil(L), 1;
-  lua_pushinteger(L, static_cast<lua_Integer>(match->begin + 1));
-  lua_pushinteger(L, static_cast<lua_Integer>(match->end));
-  return 2 + (match->captures.empty() ? 0 : push_captures(L, subject, *match));
+  const std::string_view text = check_text(L, 2);
+  const auto from = start_argument(L, 3, subject.size());
+  const bool plain =
+      lua_toboolean(L, 4) != 0 || text.find_first_of("^$*+?.([%-") == std::string_view::npos;
+  std::optional<Match> found;
+  if (from) {
+    found = plain ? find_plain(L, subject, text, *from)
+                  : Pattern(text).find(subject, *from, payer(L));
+  }
+  if (!found) return lua_pushnil(L), 1;
+  lua_pushinteger(L, static_cast<lua_Integer>(found->begin + 1));
+  lua_pushinteger(L, static_cast<lua_Integer>(found->end));
+  return 2 + (found->captures.empty() ? 0 : push_captures(L, subject, *found));
 }
 
 int match(lua_State* L) {
   const std::string_view subject = check_text(L, 1);
-  const auto found = search(L, subject, false);
+  const Pattern pattern(check_text(L, 2));
+  const auto from = start_argument(L, 3, subject.size());
+  const auto found = from ? pattern.find(subject, *from, payer(L)) : std::nullopt;
   if (!found) return lua_pushnil(L), 1;
   return push_captures(L, subject, *found);
 }

@@ -1,0 +1,135 @@
+#include <gmock/gmock.h>
+
+#include "scene_file.h"
+
+namespace lapidary::lua {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class Errors : public SceneFile {};
+
+TEST_F(Errors, OfFiles) {
+  EXPECT_THROW(load_scene(folder_ / "absent.lua"), Error);
+  EXPECT_THROW(load_scene(folder_), Error);
+  EXPECT_THAT(error_of(""), StartsWith("main.lua: the file returns no scene (end the file with"));
+  EXPECT_THAT(error_of("return 5"), StartsWith("main.lua: the file returns 5, not a scene"));
+  EXPECT_THAT(error_of("return glass(1.5)"), HasSubstr("returns a glass, not a scene"));
+  EXPECT_THAT(error_of("return { sphere {}, 5 }"),
+              HasSubstr("value [2] of the returned list must be an object, not 5"));
+}
+
+TEST_F(Errors, OfSyntax) {
+  EXPECT_THAT(error_of("local a = {\n\nreturn"), StartsWith("main.lua:3: unexpected symbol near"));
+  EXPECT_THAT(error_of("x = = 1"), StartsWith("main.lua:1: "));
+  EXPECT_THAT(error_of("\n\nlocal s = 'open"), StartsWith("main.lua:3: unfinished string"));
+}
+
+TEST_F(Errors, OfNames) {
+  EXPECT_EQ(error_of("\nreturn spere {}"),
+            "main.lua:2: unknown name 'spere' (did you mean 'sphere'?)");
+  EXPECT_EQ(error_of("local hole_radius = 1\nreturn sphere { radius = hole_raduis }"),
+            "main.lua:2: unknown name 'hole_raduis'");
+  EXPECT_EQ(error_of("my_width = 1\nreturn sphere { radius = my_widht }"),
+            "main.lua:2: unknown name 'my_widht' (did you mean 'my_width'?)");
+  EXPECT_EQ(error_of("return sphere {}:tranlate { 1, 2, 3 }"),
+            "main.lua:1: objects have no method 'tranlate' (did you mean 'translate'?)");
+  EXPECT_THAT(error_of("return glass(1.5):translate { 1, 2, 3 }"),
+              HasSubstr("a glass has no 'translate'"));
+}
+
+TEST_F(Errors, OfParameters) {
+  EXPECT_EQ(error_of("\nreturn sphere { raduis = 1 }"),
+            "main.lua:2: unknown parameter 'raduis' of sphere (did you mean 'radius'?)");
+  EXPECT_EQ(error_of("return sphere {\n  center = {0, 0, 0},\n  radius = -1,\n}"),
+            "main.lua:1: radius of sphere must be greater than 0, not -1");
+  EXPECT_THAT(error_of("return sphere { radius = 0 / 0 }"), HasSubstr("must be a finite number"));
+  EXPECT_THAT(error_of("return sphere { radius = 1 / 0 }"),
+              HasSubstr("must be a finite number, not inf"));
+  EXPECT_THAT(error_of("return sphere { material = glass }"),
+              HasSubstr("must be a material, not a function (call it: name { ... })"));
+  EXPECT_THAT(error_of("return sphere { center = {1, 2, nil} }"),
+              HasSubstr("must be three numbers {x, y, z}"));
+  EXPECT_THAT(error_of("return sphere { [true] = 1 }"), HasSubstr("a key that is a boolean"));
+  EXPECT_THAT(error_of("return group { sphere {}, [4] = sphere {} }"),
+              HasSubstr("gap before item 4"));
+  EXPECT_THAT(error_of("local t = {}  t.center = t  return sphere(t)"),
+              HasSubstr("nested too deeply (does it contain itself?)"));
+  EXPECT_THAT(error_of("return sphere(1, 2)"), HasSubstr("takes its parameters by name"));
+}
+
+TEST_F(Errors, SayWhichParameter) {
+  try {
+    load("\n\nreturn scene { render = { size = { 0, 5 } } }");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where().line, 3);
+    EXPECT_EQ(error.where().parameter, "render.size.width");
+  }
+}
+
+TEST_F(Errors, OfRunning) {
+  EXPECT_EQ(error_of("\nlocal p = nil\nreturn p.x"),
+            "main.lua:3: attempt to index a nil value (local 'p')");
+  EXPECT_EQ(error_of("error('too wide')"), "main.lua:1: too wide");
+  EXPECT_EQ(error_of("\nerror('too wide', 0)"), "main.lua:2: too wide");
+  EXPECT_EQ(error_of("\nerror {}"), "main.lua:2: error called with a table instead of a message");
+  EXPECT_THAT(error_of("assert(false, 'no')"), HasSubstr("main.lua:1: no"));
+  EXPECT_THAT(error_of("local co = coroutine.wrap(function()\n return spere end)\nco()"),
+              StartsWith("main.lua:2: unknown name 'spere'"));
+}
+
+TEST_F(Errors, CanBeCaughtByTheScene) {
+  EXPECT_THAT(output_of("local ok, e = pcall(sphere, { radius = -1 })  print(ok, e)"),
+              testing::ElementsAre(testing::AllOf(
+                  StartsWith("false\t"),
+                  HasSubstr("main.lua:1: radius of sphere must be greater than 0, not -1"))));
+}
+
+TEST_F(Errors, OfModulesNameTheModule) {
+  write("scene/lib.lua", "\n\nreturn spere {}");
+  EXPECT_EQ(error_of("return require 'lib'"),
+            "lib.lua:3: unknown name 'spere' (did you mean 'sphere'?)");
+  write("scene/broken.lua", "\nreturn {");
+  EXPECT_THAT(error_of("return require 'broken'"), StartsWith("broken.lua:2: "));
+  EXPECT_THAT(error_of("\nrequire 'libb'"),
+              testing::AllOf(StartsWith("main.lua:2: require names a file that does not exist"),
+                             HasSubstr("did you mean 'lib.lua'?")));
+  write("scene/a.lua", "return require 'b'");
+  write("scene/b.lua", "return require 'a'");
+  EXPECT_THAT(error_of("require 'a'"), HasSubstr("b.lua:1: require goes round in a circle"));
+}
+
+TEST_F(Errors, KeepLongPathsWhole) {
+  const std::string deep = "scene/" + std::string(80, 'd') + "/" + std::string(80, 'e') + ".lua";
+  const auto file = write(deep, "\n\nlocal p = nil\nreturn p.x");
+  try {
+    load_scene(file);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where().file, file.string());
+    EXPECT_EQ(error.where().line, 4);
+    EXPECT_EQ(error.problem(), "attempt to index a nil value (local 'p')");
+  }
+}
+
+TEST_F(Errors, NodesCannotBeChanged) {
+  EXPECT_THAT(error_of("local s = sphere {}  s.radius = 2"),
+              HasSubstr("a sphere cannot be changed"));
+  EXPECT_THAT(error_of("local s = sphere {}  s.translate { 1, 2, 3 }"),
+              HasSubstr("write object:translate with a colon"));
+}
+
+TEST_F(Errors, CombiningSolidsIsNotThereYet) {
+  for (const char* combined : {"a - b", "a + b", "a & b", "a | b", "~a"}) {
+    EXPECT_THAT(error_of(std::string("local a, b = sphere {}, box { size = {1, 1, 1} }\nreturn ") +
+                         combined),
+                testing::AllOf(StartsWith("main.lua:2: combining solids with"),
+                               HasSubstr("not available in this version")))
+        << combined;
+  }
+}
+
+}  // namespace
+}  // namespace lapidary::lua
