@@ -1,6 +1,7 @@
 #include "transport/path.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sampling/mis.h"
 #include "transport/vertex.h"
@@ -16,8 +17,30 @@ using geometry::Surface;
 using geometry::SurfaceKind;
 
 /// A shadow ray ends this much before the light, whose sampled point lies on its surface only
-/// within rounding: of doubles, and for triangles, which are traced in float, of floats.
+/// within the rounding of doubles.
 constexpr double just_before_light = 1.0 - 1e-6;
+
+/// And this much, in scene units, before a light of triangles, which are traced in float about
+/// their centre: 4 roundings of the distance to it and of an edge (as
+/// TriangleScene::self_distance) along the normal, on a ray that meets it at up to 86 degrees.
+double before_triangles(const geometry::World& world) {
+  const Box3d box = world.triangles().bounds();
+  return box.empty() ? 0.0 : 16.0 * 4.0 * 0x1p-24 * 1.5 * max_component(box.extent());
+}
+
+/// A ray from a surface to a sampled point of a light, ending at least `margin` before it.
+Ray shadow_ray(const Surface& from, const light::LightSample& to, double margin) {
+  Ray ray = geometry::World::leave(from, to.wi);
+  double distance = to.distance;
+  if (from.self_distance > 0.0 && std::isfinite(distance)) {
+    // It starts off the surface: the light is nearer by that, in a slightly other direction.
+    const Vec3d to_light = to.wi * distance - (ray.origin - from.p);
+    distance = length(to_light);
+    ray.direction = to_light / distance;
+  }
+  ray.t_max = std::max(0.0, distance * just_before_light - margin);
+  return ray;
+}
 
 /// Which of a vertex's eight dimensions decides what. Neighbours (0,1), (2,3) are stratified
 /// together, so they go to the two-dimensional choices.
@@ -37,8 +60,9 @@ struct VertexPoints {
 /// A path from the camera while it grows.
 class Path {
  public:
-  Path(const scene::Scene& scene, const PathSettings& settings, const SampleContext& context)
-      : scene_(scene), settings_(settings), context_(context) {}
+  Path(const scene::Scene& scene, const PathSettings& settings, double light_margin,
+       const SampleContext& context)
+      : scene_(scene), settings_(settings), light_margin_(light_margin), context_(context) {}
 
   SampledSpectrum trace(const Ray& camera_ray, FirstSurface& first);
 
@@ -59,6 +83,7 @@ class Path {
 
   const scene::Scene& scene_;
   const PathSettings& settings_;
+  double light_margin_;
   const SampleContext& context_;
   Ray ray_;
   SampledSpectrum beta_{1.0f};
@@ -83,15 +108,16 @@ SampledSpectrum Path::direct_light(const Vertex& vertex, const VertexPoints& poi
   const auto choice = scene_.light_selector()->choose(vertex.surface.p, points.light_choice());
   if (choice.probability == 0.0) return {};
   const light::LightNumbers numbers{choice.remainder, points.light_position()};
-  const auto sample = light::sample_illumination(scene_.lights()[choice.index], vertex.surface.p,
-                                                 numbers, context_.wavelengths);
+  const light::Light& light = scene_.lights()[choice.index];
+  const auto sample =
+      light::sample_illumination(light, vertex.surface.p, numbers, context_.wavelengths);
   if (!sample) return {};
   const Vec3d wi = vertex.frame.to_local(sample->wi);
   const bsdf::BsdfValue f = evaluate_with_pdf(vertex.bsdf, vertex.wo, wi, bsdf::Mode::radiance);
   if (f.f_cos.is_zero() || !sides_agree(vertex, sample->wi, wi)) return {};
 
-  Ray shadow = geometry::World::leave(vertex.surface, sample->wi);
-  shadow.t_max = sample->distance * just_before_light;
+  const bool triangles = std::holds_alternative<light::MeshLight>(light);
+  Ray shadow = shadow_ray(vertex.surface, *sample, triangles ? light_margin_ : 0.0);
   shadow.time = ray_.time;
   ++context_.counters.occlusion_queries;
   if (scene_.world().occluded(shadow)) return {};
@@ -164,9 +190,12 @@ SampledSpectrum Path::trace(const Ray& camera_ray, FirstSurface& first) {
 
 }  // namespace
 
+PathTracer::PathTracer(const scene::Scene& scene, const PathSettings& settings)
+    : scene_(scene), settings_(settings), light_margin_(before_triangles(scene.world())) {}
+
 SampledSpectrum PathTracer::radiance(const Ray& camera_ray, const SampleContext& context,
                                      FirstSurface& first) const {
-  return Path(scene_, settings_, context).trace(camera_ray, first);
+  return Path(scene_, settings_, light_margin_, context).trace(camera_ray, first);
 }
 
 }  // namespace lapidary::transport

@@ -34,8 +34,7 @@ struct SampleContext {
 /// radiance collected, wo and wi point away from the surface.
 class PathTracer {
  public:
-  PathTracer(const scene::Scene& scene, const PathSettings& settings)
-      : scene_(scene), settings_(settings) {}
+  PathTracer(const scene::Scene& scene, const PathSettings& settings);
 
   /// Spectral radiance [W/(m2 sr nm)] that arrives at the origin of `camera_ray` against its
   /// direction (unit length). `first` gets what the ray meets first. Throws nothing.
@@ -45,6 +44,7 @@ class PathTracer {
  private:
   const scene::Scene& scene_;
   PathSettings settings_;
+  double light_margin_;  ///< before a light of triangles, where shadow rays end; scene units
 };
 
 }  // namespace lapidary::transport

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "base/log.h"
+#include "base/parallel.h"
+#include "description/scene_description.h"
+#include "scene/build.h"
+
+namespace lapidary::test {
+
+/// The same at every wavelength, so that what is measured is a plain number.
+inline Spectrum grey(double value) {
+  return Spectrum::constant(static_cast<float>(value));
+}
+
+inline description::MaterialPtr material(auto model) {
+  return std::make_shared<const description::Material>(
+      description::Material{std::move(model), "", {}});
+}
+inline description::MaterialPtr matte(double albedo) {
+  return material(description::Matte{grey(albedo)});
+}
+inline description::MaterialPtr metal(double reflectance, double roughness = 0.0) {
+  return material(description::Metal{grey(reflectance), roughness});
+}
+inline description::MaterialPtr glass(double index, double roughness = 0.0) {
+  return material(description::Glass{RefractiveIndex::constant(index), roughness});
+}
+inline description::MaterialPtr glass(std::string_view name, double roughness = 0.0) {
+  return material(description::Glass{find_glass(name).value(), roughness});
+}
+/// A light source of this radiance [W/(m2 sr nm)] at every wavelength.
+inline description::MaterialPtr lamp(double radiance) {
+  return material(description::Emissive{{description::Quantity::radiance, grey(radiance)}});
+}
+
+/// The threads of tests that are not about threads.
+inline ThreadPool& one_thread() {
+  static ThreadPool pool(1);
+  return pool;
+}
+
+/// A scene of a few objects, described as the scene language would.
+struct TinyScene {
+  description::SceneDescription description;
+
+  TinyScene() { look({0, -5, 0}, {0, 0, 0}); }
+
+  TinyScene& add(auto content, description::MaterialPtr worn, const Transform& placement = {}) {
+    description::Object object;
+    object.content = std::move(content);
+    object.placement = std::make_shared<const Transform>(placement);
+    object.material = std::move(worn);
+    description.objects.push_back(std::make_shared<const description::Object>(std::move(object)));
+    return *this;
+  }
+  TinyScene& add_mesh(geometry::TriangleMesh mesh, description::MaterialPtr worn,
+                      const Transform& placement = {}) {
+    description::Mesh shared;
+    shared.triangles = std::make_shared<const geometry::TriangleMesh>(std::move(mesh));
+    return add(std::move(shared), std::move(worn), placement);
+  }
+  TinyScene& light(auto model) {
+    description.lights.push_back({std::move(model), {}});
+    return *this;
+  }
+  /// The same radiance from all around.
+  TinyScene& sky(double radiance) {
+    return light(description::ConstantEnvironment{grey(radiance)});
+  }
+  TinyScene& look(Vec3d from, Vec3d at, double fov = 40.0) {
+    description::Perspective camera;
+    camera.view = {from, at, {0, 0, 1}};
+    camera.fov = fov;
+    description.camera = description::Camera{camera, {}};
+    return *this;
+  }
+
+  scene::Scene build(ThreadPool& pool = one_thread()) const {
+    WarningLog warnings;
+    return scene::build(description, {description.render.size, pool, warnings});
+  }
+};
+
+/// Two triangles that make the flat square of half side `half` about the origin, front up.
+inline geometry::TriangleMesh square_mesh(double half) {
+  const auto h = static_cast<float>(half);
+  geometry::TriangleMesh mesh;
+  mesh.positions = {{-h, -h, 0}, {h, -h, 0}, {h, h, 0}, {-h, h, 0}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+}  // namespace lapidary::test
