@@ -111,10 +111,10 @@ Surface World::surface(const Ray& ray, const Hit& hit) const {
   s.kind = hit.kind;
   s.patch = hit.patch;
   s.index = hit.index;
-  s.geometric_normal = hit.kind == SurfaceKind::solid
-                           ? outward_normal(parts_.solids[hit.index], hit.patch, s.p)
-                           : std::visit([](const auto& sheet) { return sheet.normal; },
-                                        sheets_[hit.index]);
+  s.geometric_normal =
+      hit.kind == SurfaceKind::solid
+          ? outward_normal(parts_.solids[hit.index], hit.patch, s.p)
+          : std::visit([](const auto& sheet) { return sheet.normal; }, sheets_[hit.index]);
   s.shading_normal = s.geometric_normal;
   return s;
 }

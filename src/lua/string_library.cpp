@@ -78,8 +78,8 @@ int find(lua_State* L) {
       lua_toboolean(L, 4) != 0 || text.find_first_of("^$*+?.([%-") == std::string_view::npos;
   std::optional<Match> found;
   if (from) {
-    found = plain ? find_plain(L, subject, text, *from)
-                  : Pattern(text).find(subject, *from, payer(L));
+    found =
+        plain ? find_plain(L, subject, text, *from) : Pattern(text).find(subject, *from, payer(L));
   }
   if (!found) return lua_pushnil(L), 1;
   lua_pushinteger(L, static_cast<lua_Integer>(found->begin + 1));

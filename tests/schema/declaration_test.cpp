@@ -182,8 +182,7 @@ TEST_F(DeclarationTest, NodeKindsConstructSharedNodes) {
 
 TEST(Value, DescribesItselfOnOneLine) {
   EXPECT_EQ(Value(std::string_view("a\nb")).describe(), "the string 'a b'");
-  EXPECT_EQ(Value(std::string_view(std::string(1000, 'x'))).describe().size(),
-            56u);
+  EXPECT_EQ(Value(std::string_view(std::string(1000, 'x'))).describe().size(), 56u);
   EXPECT_EQ(Value().describe(), "nil");
   EXPECT_EQ(Value::other("a function").describe(), "a function");
 }
