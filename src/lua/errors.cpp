@@ -32,18 +32,12 @@ int to_text(lua_State* L) {
   return 1;
 }
 
+/// Between the box and its metatable nothing may fail, or it would never be emptied; so the
+/// metatable is there from the start (open_errors).
 void push_exception(lua_State* L, std::exception_ptr problem) {
   void* place = lua_newuserdatauv(L, sizeof(Box), 0);
   new (place) Box(std::move(problem));
-  if (luaL_newmetatable(L, type_name) != 0) {
-    lua_pushcfunction(L, collect);
-    lua_setfield(L, -2, "__gc");
-    lua_pushcfunction(L, to_text);
-    lua_setfield(L, -2, "__tostring");
-    lua_pushboolean(L, 0);
-    lua_setfield(L, -2, "__metatable");
-  }
-  lua_setmetatable(L, -2);
+  luaL_setmetatable(L, type_name);
 }
 
 /// What the interpreter's own messages mean for somebody who writes scenes.
@@ -56,6 +50,17 @@ Error explain(Location where, std::string_view message) {
 }
 
 }  // namespace
+
+void open_errors(lua_State* L) {
+  luaL_newmetatable(L, type_name);
+  lua_pushcfunction(L, collect);
+  lua_setfield(L, -2, "__gc");
+  lua_pushcfunction(L, to_text);
+  lua_setfield(L, -2, "__tostring");
+  lua_pushboolean(L, 0);
+  lua_setfield(L, -2, "__metatable");
+  lua_pop(L, 1);
+}
 
 int raise(lua_State* L, std::exception_ptr problem) {
   push_exception(L, std::move(problem));

@@ -10,6 +10,9 @@ namespace lapidary::lua {
 // Exceptions travel through Lua as error values, so that a scene's pcall sees them like any other
 // error (tostring gives the message), and come out unchanged.
 
+/// To be called before anything else here.
+void open_errors(lua_State* L);
+
 /// Raises `problem` as a Lua error; does not return, whatever its type says, as lua_error.
 int raise(lua_State* L, std::exception_ptr problem);
 int raise(lua_State* L, const Error& error);

@@ -54,6 +54,9 @@ class Interpreter {
   /// The line of the innermost function of the scene.
   schema::CallSite call_site(lua_State* L) const;
 
+  /// Modules whose chunk runs at this moment, the innermost last.
+  std::vector<std::filesystem::path>& modules_being_read() { return modules_being_read_; }
+
   /// Files that were read as Lua, in order.
   const std::vector<std::filesystem::path>& chunk_files() const { return chunk_files_; }
 
@@ -66,6 +69,7 @@ class Interpreter {
   std::function<void(std::string_view)> print_;
   schema::ValueArena arena_;
   std::vector<std::filesystem::path> chunk_files_;
+  std::vector<std::filesystem::path> modules_being_read_;
   lua_State* L_ = nullptr;
 };
 

@@ -30,6 +30,7 @@ void open_math(lua_State* L) {
 }  // namespace
 
 void open_libraries(lua_State* L) {
+  open_errors(L);
   open_base(L);
   open_math(L);
   open_string(L);

@@ -138,13 +138,14 @@ void set_operators(lua_State* L) {
 /// Pushes a copy of the names of `methods` that lives as long as Lua does.
 void push_names(lua_State* L, std::span<const Method> methods) {
   using Names = std::vector<std::string_view>;
-  void* place = lua_newuserdatauv(L, sizeof(Names), 0);
-  auto* names = new (place) Names;
   lua_newtable(L);
   set_function(L, "__gc", [](lua_State* state) {
     static_cast<Names*>(lua_touserdata(state, 1))->~Names();
     return 0;
   });
+  void* place = lua_newuserdatauv(L, sizeof(Names), 0);
+  auto* names = new (place) Names;
+  lua_insert(L, -2);
   lua_setmetatable(L, -2);
   for (const Method& method : methods) names->push_back(method.info.name);
 }

@@ -18,8 +18,22 @@ std::string file_of_module(std::string_view name) {
   return file + ".lua";
 }
 
-/// Runs a module of the scene once and returns what it returned; a light userdata stands in its
-/// place while it runs.
+/// Keeps `file` on the list of what is being read, also when reading it fails.
+class ReadingScope {
+ public:
+  ReadingScope(std::vector<std::filesystem::path>& list, const std::filesystem::path& file)
+      : list_(list) {
+    list_.push_back(file);
+  }
+  ~ReadingScope() { list_.pop_back(); }
+  ReadingScope(const ReadingScope&) = delete;
+  ReadingScope& operator=(const ReadingScope&) = delete;
+
+ private:
+  std::vector<std::filesystem::path>& list_;
+};
+
+/// Runs a module of the scene once and returns what it returned.
 int require(lua_State* L) {
   std::size_t size = 0;
   const char* name = luaL_checklstring(L, 1, &size);
@@ -31,17 +45,18 @@ int require(lua_State* L) {
   const auto file = interpreter.files().resolve(written, context);
 
   luaL_getsubtable(L, LUA_REGISTRYINDEX, loaded_key);
-  const int found = lua_getfield(L, 2, file.c_str());
-  if (found == LUA_TLIGHTUSERDATA) {
+  if (lua_getfield(L, 2, file.c_str()) != LUA_TNIL) return 1;
+  auto& reading = interpreter.modules_being_read();
+  if (std::find(reading.begin(), reading.end(), file) != reading.end()) {
     context.fail(fmt::format("goes round in a circle: '{}' is still being read", written));
   }
-  if (found != LUA_TNIL) return 1;
-  lua_pushlightuserdata(L, &interpreter);
-  lua_setfield(L, 2, file.c_str());
+  const ReadingScope scope(reading, file);
   interpreter.push_chunk(L, file, interpreter.files().shown(file));
-  lua_pushvalue(L, 1);
-  lua_call(L, 1, 1);
-  if (lua_isnil(L, -1)) lua_pushboolean(L, 1);
+  lua_call(L, 0, 1);
+  if (lua_isnil(L, -1)) {
+    lua_pushboolean(L, 1);
+    lua_replace(L, -2);
+  }
   lua_pushvalue(L, -1);
   lua_setfield(L, 2, file.c_str());
   return 1;

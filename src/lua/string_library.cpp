@@ -133,14 +133,16 @@ int gmatch(lua_State* L) {
   const std::string_view subject = check_text(L, 1);
   Pattern pattern(check_text(L, 2), Pattern::Anchor::literal);
   const std::size_t from = start_argument(L, 3, subject.size()).value_or(subject.size() + 1);
-  void* place = lua_newuserdatauv(L, sizeof(Iteration), 0);
-  new (place) Iteration{std::move(pattern), from, std::nullopt};
   lua_newtable(L);
   lua_pushcfunction(L, [](lua_State* state) {
     static_cast<Iteration*>(lua_touserdata(state, 1))->~Iteration();
     return 0;
   });
   lua_setfield(L, -2, "__gc");
+  // The metatable comes first: nothing may fail between making the iteration and setting it.
+  void* place = lua_newuserdatauv(L, sizeof(Iteration), 0);
+  new (place) Iteration{std::move(pattern), from, std::nullopt};
+  lua_insert(L, -2);
   lua_setmetatable(L, -2);
   lua_pushvalue(L, 1);
   lua_pushcclosure(L, guarded<next_in_iteration>, 2);

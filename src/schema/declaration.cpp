@@ -13,6 +13,12 @@ std::vector<std::string_view> parameter_names(const NodeInfo& info) {
   return names;
 }
 
+/// What a message calls the node that is read: the name it was called by, which may be an alias, or
+/// that of the table inside it.
+std::string_view owner(const NodeInfo& info, const Context& context) {
+  return context.path().empty() ? context.call().node : std::string_view(info.name);
+}
+
 /// `value` was given without a name.
 void assign_shorthand(const NodeInfo& info, const Value& value, const Context& context,
                       std::vector<Value>& values) {
@@ -22,7 +28,7 @@ void assign_shorthand(const NodeInfo& info, const Value& value, const Context& c
   if (shorthand == info.parameters.end()) {
     const std::string first = info.parameters.empty() ? "" : info.parameters.front().name;
     context.fail(fmt::format("takes its parameters by name, not {}", value.describe()),
-                 fmt::format("write {} {{ {} = ... }}", info.name, first));
+                 fmt::format("write {} {{ {} = ... }}", owner(info, context), first));
   }
   Value& place = values[static_cast<std::size_t>(shorthand - info.parameters.begin())];
   if (!place.is_nil()) {
@@ -36,7 +42,7 @@ void require_all(const NodeInfo& info, const std::vector<Value>& values, const C
     const ParameterInfo& parameter = info.parameters[i];
     if (!values[i].is_nil() || parameter.need == Need::optional) continue;
     throw context.at(parameter.name)
-        .error(fmt::format("{} needs its parameter '{}'", info.name, parameter.name),
+        .error(fmt::format("{} needs its parameter '{}'", owner(info, context), parameter.name),
                parameter.doc);
   }
 }
@@ -50,8 +56,8 @@ std::size_t find_parameter(const NodeInfo& info, std::string_view name, const Co
   const auto names = parameter_names(info);
   std::string hint = did_you_mean(name, names);
   if (hint.empty() && !names.empty()) hint = fmt::format("it has {}", fmt::join(names, ", "));
-  throw context.at(name).error(fmt::format("unknown parameter '{}' of {}", name, info.name),
-                               std::move(hint));
+  throw context.at(name).error(
+      fmt::format("unknown parameter '{}' of {}", name, owner(info, context)), std::move(hint));
 }
 
 std::vector<Value> match_arguments(const NodeInfo& info, const Value& argument,

@@ -48,6 +48,12 @@ TEST_F(NodeTest, ShapesMeanWhatTheySay) {
   EXPECT_EQ(solid<geometry::Cylinder>("cylinder", "{to = {1, 0, 0}}").to, Vec3d(1, 0, 0));
 }
 
+TEST_F(NodeTest, AliasesGoByTheirOwnNames) {
+  EXPECT_EQ(make_.error_of("plane", "{nromal = {0, 0, 1}}"),
+            "scene.lua:7: unknown parameter 'nromal' of plane (did you mean 'normal'?)");
+  EXPECT_THAT(make_.error_of("plane", "5"), HasSubstr("write plane { point = ... }"));
+}
+
 TEST_F(NodeTest, ShapesWithoutExtentAreRefused) {
   EXPECT_THAT(make_.error_of("sphere", "{radius = 0}"), HasSubstr("must be greater than 0, not 0"));
   EXPECT_THAT(make_.error_of("cylinder", "{from = {1, 1, 1}, to = {1, 1, 1}}"),

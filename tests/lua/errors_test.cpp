@@ -101,6 +101,12 @@ TEST_F(Errors, OfModulesNameTheModule) {
   EXPECT_THAT(error_of("require 'a'"), HasSubstr("b.lua:1: require goes round in a circle"));
 }
 
+TEST_F(Errors, AModuleThatFailedMayBeTriedAgain) {
+  write("scene/lib.lua", "error 'not today'");
+  EXPECT_THAT(error_of("pcall(require, 'lib')  return require 'lib'"),
+              StartsWith("lib.lua:1: not today"));
+}
+
 TEST_F(Errors, KeepLongPathsWhole) {
   const std::string deep = "scene/" + std::string(80, 'd') + "/" + std::string(80, 'e') + ".lua";
   const auto file = write(deep, "\n\nlocal p = nil\nreturn p.x");

@@ -145,6 +145,7 @@ TEST_F(DeclarationTest, MissingRequiredParametersAreNamed) {
   const auto strict =
       Declaration<Pebble>({.name = "stone", .doc = "."})
           .parameter("radius", &Pebble::radius, {.doc = "Half the width.", .need = Need::required});
+  call_.node = "stone";
   try {
     strict.read(Value(), Context(call_));
     FAIL();
