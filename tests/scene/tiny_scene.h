@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "description/scene_description.h"
 #include "scene/build.h"
+#include "scene/shapes.h"
 
 namespace lapidary::test {
 
@@ -64,7 +65,7 @@ struct TinyScene {
     return add(std::move(shared), std::move(worn), placement);
   }
   TinyScene& light(auto model) {
-    description.lights.push_back({std::move(model), {}});
+    description.lights.emplace_back().model = std::move(model);
     return *this;
   }
   /// The same radiance from all around.
@@ -84,14 +85,5 @@ struct TinyScene {
     return scene::build(description, {description.render.size, pool, warnings});
   }
 };
-
-/// Two triangles that make the flat square of half side `half` about the origin, front up.
-inline geometry::TriangleMesh square_mesh(double half) {
-  const auto h = static_cast<float>(half);
-  geometry::TriangleMesh mesh;
-  mesh.positions = {{-h, -h, 0}, {h, -h, 0}, {h, h, 0}, {-h, h, 0}};
-  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-  return mesh;
-}
 
 }  // namespace lapidary::test
