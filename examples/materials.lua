@@ -1,0 +1,109 @@
+-- Materials: what the surfaces of this version look like, on a flight of six steps.
+--
+--   lapidary render materials.lua
+--   lapidary render materials.lua --set row=metals    only one step
+--
+-- From the front step to the back one, each from left to right:
+--
+--   glass      water, N-BK7, diamond; then ground glass of roughness 0.1, 0.2 and 0.3
+--   metals     gold, silver, copper, aluminium; then two coloured ones; polished
+--   satin      the same six, roughness 0.15
+--   brushed    the same six, roughness 0.35
+--   matte      six colours of equal lightness, and so of unlike strength
+--   emissive   bodies that glow at 1900, 2700, 3600, 5000, 6500 and 12000 kelvin
+
+local only = param("row", "all")
+
+local function metals(roughness)
+  local balls = {}
+  for i, name in ipairs { "gold", "silver", "copper", "aluminium" } do
+    balls[i] = metal { index = name, roughness = roughness }
+  end
+  balls[5] = metal { color = "#8c2f39", roughness = roughness }
+  balls[6] = metal { color = "#2f6f8f", roughness = roughness }
+  return balls
+end
+
+local function mattes(colors)
+  local balls = {}
+  for i, color in ipairs(colors) do balls[i] = matte(color) end
+  return balls
+end
+
+local function glowing(temperatures)
+  local balls = {}
+  for i, kelvin in ipairs(temperatures) do
+    balls[i] = emissive { radiance = 1.1, temperature = kelvin }
+  end
+  return balls
+end
+
+local rows = {
+  { "glass", {
+    glass "water", glass "N-BK7", glass "diamond",
+    glass { roughness = 0.1 }, glass { roughness = 0.2 }, glass { roughness = 0.3 },
+  } },
+  { "metals", metals(0) },
+  { "satin", metals(0.15) },
+  { "brushed", metals(0.35) },
+  { "matte", mattes { "#c8553d", "#d9a441", "#6a994e", "#3a86a8", "#5f5aa2", "#b5838d" } },
+  { "emissive", glowing { 1900, 2700, 3600, 5000, 6500, 12000 } },
+}
+
+local radius, across, deep, rise = 0.46, 1.24, 1.3, 0.74
+local light, dark = matte "#aaa49b", matte "#4a4642"
+
+--- Every other square of a chessboard on the tread of a step.
+local function squares(y, z)
+  local vertices, faces, side = {}, {}, across / 4
+  for j = 0, 3 do
+    for i = -26, 25 do
+      if (i + j) % 2 == 0 then
+        local n, x0, y0 = #vertices, i * side, y - deep / 2 + j * side
+        vertices[n + 1] = { x0, y0, z }
+        vertices[n + 2] = { x0 + side, y0, z }
+        vertices[n + 3] = { x0 + side, y0 + side, z }
+        vertices[n + 4] = { x0, y0 + side, z }
+        faces[#faces + 1] = { n + 1, n + 2, n + 3, n + 4 }
+      end
+    end
+  end
+  return mesh { vertices = vertices, faces = faces, material = dark }
+end
+
+--- One step with its balls; step 1 is the front one.
+local function step(number, balls)
+  local y, top = (number - 1) * deep, number * rise
+  local parts = {
+    box { min = { -8, y - deep / 2, 0 }, max = { 8, y + deep / 2, top }, material = light },
+    squares(y, top + 0.001),
+  }
+  for i, material in ipairs(balls) do
+    local x = (i - (#balls + 1) / 2) * across
+    parts[#parts + 1] = sphere {
+      center = { x, y, top + 0.002 + radius }, radius = radius, material = material,
+    }
+  end
+  return parts
+end
+
+local objects = {}
+for number, row in ipairs(rows) do
+  local name, balls = row[1], row[2]
+  objects[number] = step(number, (only == "all" or only == name) and balls or {})
+end
+
+return scene {
+  camera = perspective { from = { 0, -17, 10.4 }, at = { 0, 3.1, 2.7 }, fov = 18.6 },
+  lights = {
+    rectangle_light { center = { -11, -5, 11 }, size = { 12, 8 }, at = { 0, 2, 2 }, radiance = 2 },
+    rectangle_light { center = { 11, 0, 7 }, size = { 3, 9 }, at = { 0, 3, 2 }, radiance = 2 },
+    environment { color = { 0.4, 0.42, 0.45 } },
+  },
+  objects = {
+    objects,
+    plane { material = dark },
+    rectangle { center = { 0, 9, 6 }, size = { 60, 20 }, normal = { 0, -1, 0 }, material = light },
+  },
+  render = { size = { 960, 720 }, samples = 160 },
+}
