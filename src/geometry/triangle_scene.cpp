@@ -8,8 +8,6 @@
 #include <map>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "base/error.h"
 #include "math/constants.h"
 
@@ -26,9 +24,9 @@ using GeometryHandle =
 
 /// One instruction set on every machine, so that every machine finds the same hits; threads stay
 /// where the pool put them.
-DeviceHandle new_device(int threads) {
-  const std::string config = fmt::format("isa=avx2,set_affinity=0,threads={}", threads);
-  DeviceHandle device(rtcNewDevice(config.c_str()), &rtcReleaseDevice);
+DeviceHandle new_device() {
+  // No number of threads: Embree would hold all of the process to it for the life of the device.
+  DeviceHandle device(rtcNewDevice("isa=avx2,set_affinity=0"), &rtcReleaseDevice);
   if (!device) throw Error({}, "the ray tracing library Embree could not be started");
   return device;
 }
@@ -194,7 +192,7 @@ TriangleScene::TriangleScene(std::vector<MeshPlacement> placements, ThreadPool& 
     s.placed.push_back({.placement = std::move(placement)});
   }
   s.center = s.bounds.center();
-  s.device = new_device(pool.threads());
+  s.device = new_device();
   s.scene = new_scene(s.device.get());
   pool.run_inside([&s, &uses] {
     std::map<const TriangleMesh*, RTCScene> mesh_scenes;

@@ -38,12 +38,6 @@ inline description::MaterialPtr lamp(double radiance) {
   return material(description::Emissive{{description::Quantity::radiance, grey(radiance)}});
 }
 
-/// The threads of tests that are not about threads.
-inline ThreadPool& one_thread() {
-  static ThreadPool pool(1);
-  return pool;
-}
-
 /// A scene of a few objects, described as the scene language would.
 struct TinyScene {
   description::SceneDescription description;
@@ -80,7 +74,11 @@ struct TinyScene {
     return *this;
   }
 
-  scene::Scene build(ThreadPool& pool = one_thread()) const {
+  scene::Scene build() const {
+    ThreadPool pool(1);
+    return build(pool);
+  }
+  scene::Scene build(ThreadPool& pool) const {
     WarningLog warnings;
     return scene::build(description, {description.render.size, pool, warnings});
   }
