@@ -44,13 +44,17 @@ class House:
 
     def __init__(self, page):
         self.rows = {}  # folder -> row
+        self.reserved = set()  # folders that are to come
         self.parts = {}  # folder -> [(part, patterns)], lowest first
         for line in page.splitlines():
             cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
             if not line.startswith("|") or len(cells) != 3:
                 continue
             if cells[0].isdigit():
-                self.rows[cells[1].strip("`")] = int(cells[0])
+                folder = cells[1].strip("`")
+                self.rows[folder] = int(cells[0])
+                if cells[2].startswith("*reserved*"):
+                    self.reserved.add(folder)
             elif cells[0].strip("`") in self.rows:
                 patterns = re.findall(r"`([^`]+)`", cells[2])
                 self.parts.setdefault(cells[0].strip("`"), []).append((cells[1], patterns))
@@ -142,6 +146,18 @@ def check_outside_world(path, code, report):
                 report(path, number, f"{deed}, which only app/ may")
 
 
+def check_folders(root, house, report):
+    """The page and src/ agree on which folders there are."""
+    folders = {p.name for p in (root / "src").iterdir() if p.is_dir()}
+    for name in sorted(folders - set(house.rows)):
+        report(root / "src" / name, 0, "this folder has no row in docs/architecture.md")
+    for name in sorted(folders & house.reserved):
+        report(root / "src" / name, 0, "docs/architecture.md calls this folder reserved")
+    for name in sorted(set(house.rows) - folders - house.reserved):
+        report(root / "src" / name, 0, "docs/architecture.md has this folder, src/ has not")
+    return sorted(folders & set(house.rows))
+
+
 def sources_under(folder):
     return sorted(p for p in folder.rglob("*") if p.suffix in SOURCES)
 
@@ -156,15 +172,12 @@ def violations(root):
     page = root / "docs" / "architecture.md"
     house = House(page.read_text(encoding="utf-8"))
     embree_users = []
-    for folder in sorted(p for p in (root / "src").iterdir() if p.is_dir()):
-        if folder.name not in house.rows:
-            report(folder, 0, "this folder has no row in docs/architecture.md")
-            continue
-        for path in sources_under(folder):
+    for folder in check_folders(root, house, report):
+        for path in sources_under(root / "src" / folder):
             code = without_comments(path.read_text(encoding="utf-8"))
-            if check_includes(path, folder.name, code, house, report):
+            if check_includes(path, folder, code, house, report):
                 embree_users.append(path)
-            if folder.name != "app":
+            if folder != "app":
                 check_outside_world(path, code, report)
     for path in embree_users[1:]:
         report(path, 0, f"includes Embree, as {embree_users[0].name} does: one file may")

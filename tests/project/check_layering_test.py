@@ -14,6 +14,7 @@ PAGE = """
 | 3 | `app` | |
 | 2 | `lua` | |
 | 2 | `image` | |
+| 2 | `preview` | *reserved*: to come |
 | 1 | `geometry` | |
 | 0 | `base` | |
 | 0 | `math` | |
@@ -32,6 +33,8 @@ class CheckLayering(unittest.TestCase):
             root = pathlib.Path(name)
             (root / "docs").mkdir()
             (root / "docs/architecture.md").write_text(PAGE)
+            for folder in ("app", "lua", "image", "geometry", "base", "math"):
+                (root / "src" / folder).mkdir(parents=True)
             for file, text in files.items():
                 path = root / "src" / (file.replace("__", "/") + ".cpp")
                 path.parent.mkdir(parents=True, exist_ok=True)
@@ -65,6 +68,11 @@ class CheckLayering(unittest.TestCase):
     def test_rejects_a_folder_without_row(self):
         self.assert_one(self.violations(misc__a=""), "src/misc:0:", "no row")
         self.assert_one(self.violations(app__a='#include "misc/a.h"'), "no row")
+
+    def test_the_page_says_which_folders_there_are(self):
+        self.assert_one(self.violations(preview__a=""), "src/preview:0:", "reserved")
+        page = check_layering.House(PAGE)
+        self.assertEqual({"preview"}, page.reserved)
 
     def test_rejects_an_include_without_folder(self):
         self.assert_one(self.violations(base__a='#include "error.h"'), "without its folder")
