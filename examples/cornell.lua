@@ -27,7 +27,7 @@ local block = box { size = { 0.6, 0.6, 1.2 } }
   :name "block"
 
 local ball = sphere { center = { 0.4, -0.25, -0.62 }, radius = 0.38 }
-  :material(param("diffuse", false) and white or glass { index = 1.5 })
+  :material(param("diffuse", false) and white or glass { ior = 1.5 })
   :name "ball"
 
 return scene {

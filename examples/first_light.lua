@@ -211,12 +211,12 @@ return scene {
     knot { p = 2, q = 3, major = 1, minor = 0.45, bar = 0.2, turns = 4 }
       :rotate { z = 100 }:rotate { x = 78, z = 22 } -- upright, on two of its three loops
       :scale(0.95):translate { 1.32, 0.6, 1.299 }
-      :material(metal { index = "gold", roughness = 0.12 })
+      :material(metal { "gold", roughness = 0.12 })
       :name "knot",
     ball(-3.0, 0.9, 0.56, glass(1.5)),
     ball(2.45, -1.2, 0.40, metal { color = { 0.03, 0.26, 0.34 }, roughness = 0.18 }),
     ball(0.50, -2.4, 0.19, metal "silver"),
-    ball(1.35, -2.9, 0.13, metal { index = "copper", roughness = 0.12 }),
+    ball(1.35, -2.9, 0.13, metal { "copper", roughness = 0.12 }),
   },
 
   render = { size = { 960, 540 }, samples = 176 },

@@ -17,7 +17,7 @@ local only = param("row", "all")
 local function metals(roughness)
   local balls = {}
   for i, name in ipairs { "gold", "silver", "copper", "aluminium" } do
-    balls[i] = metal { index = name, roughness = roughness }
+    balls[i] = metal { name, roughness = roughness }
   end
   balls[5] = metal { color = "#8c2f39", roughness = roughness }
   balls[6] = metal { color = "#2f6f8f", roughness = roughness }

@@ -97,7 +97,7 @@ local function queen()
   }
 end
 
-local function finish(roughness) return metal { index = kind, roughness = roughness } end
+local function finish(roughness) return metal { kind, roughness = roughness } end
 
 local function chess()
   return {

@@ -42,7 +42,7 @@ struct GlassIndexReader {
       return RefractiveIndex::constant(schema::Reader<double>::read(value, context));
     }
     if (value.kind() != ValueKind::string) {
-      schema::fail_type("an index such as 1.5 or the name of a glass", value, context);
+      schema::fail_type("an index of refraction such as 1.5 or the name of a glass", value, context);
     }
     if (auto index = find_glass(value.string())) return *std::move(index);
     fail_catalogue(glass_names(), "glass", value, context);
@@ -72,7 +72,7 @@ struct MetalParameters {
 Metal to_metal(const MetalParameters& m, const Context& context) {
   const bool spectra = m.n || m.k;
   if (int{m.index.has_value()} + int{m.color.has_value()} + int{spectra} > 1) {
-    context.fail("takes one of 'index', 'color', or 'n' with 'k'");
+    context.fail("takes one of 'ior', 'color', or 'n' with 'k'");
   }
   if (spectra && !(m.n && m.k)) context.fail("needs both 'n' and 'k'");
   Metal metal;
@@ -101,12 +101,12 @@ NodeKind metal() {
   Declaration<MetalParameters> d(
       {.name = "metal", .doc = "A conductor, from mirror to brushed.", .section = section});
   d.parameter<MetalIndexReader>(
-       "index", &MetalParameters::index,
+       "ior", &MetalParameters::index,
        {.doc = fmt::format("A measured metal: {}.", fmt::join(metal_names(), ", ")),
         .shorthand = Shorthand::yes})
       .parameter<Optional<ReflectanceReader>>(
           "color", &MetalParameters::color,
-          {.doc = "What it reflects head on, instead of 'index'.",
+          {.doc = "What it reflects head on, instead of 'ior'.",
            .default_text = "{0.9, 0.9, 0.9}"})
       .parameter("n", &MetalParameters::n, {.doc = "Real part of its refractive index, with 'k'."})
       .parameter("k", &MetalParameters::k,
@@ -121,8 +121,8 @@ NodeKind metal() {
 NodeKind glass() {
   Declaration<Glass> d({.name = "glass", .doc = "Clear: glass, water, gems.", .section = section});
   d.parameter<GlassIndexReader>(
-       "index", &Glass::index,
-       {.doc = fmt::format("Refractive index, or one of: {}.", fmt::join(glass_names(), ", ")),
+       "ior", &Glass::index,
+       {.doc = fmt::format("Index of refraction, or one of: {}.", fmt::join(glass_names(), ", ")),
         .range = {.min = 1, .max = 10},
         .shorthand = Shorthand::yes})
       .parameter("roughness", &Glass::roughness,
