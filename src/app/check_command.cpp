@@ -92,7 +92,7 @@ void print_overlaps(const SceneReport& report) {
 ExitCode run(const CheckCommand& command) {
   ThreadPool pool;
   WarningLog warnings;
-  const auto description = load_scene(command.scene, {}, warnings);
+  auto description = load_scene(command.scene, {}, warnings);
   const SceneReport report = inspect::inspect(description);
   fmt::print("{}: {} objects, {} operands, {} triangles, {} lights\n", command.scene.file,
              report.objects.size(), report.operands, report.triangles, report.lights);
@@ -101,6 +101,7 @@ ExitCode run(const CheckCommand& command) {
   print_overlaps(report);
   std::fflush(stdout);
   // What a renderer would refuse, building the scene refuses.
+  complete_scene(command.scene, description);
   scene::build(description, {description.render.size, pool, warnings});
   print_warnings(warnings.take());
   return ExitCode::done;

@@ -76,12 +76,15 @@ description::SceneDescription load_scene(const SceneArguments& arguments,
   description::SceneDescription scene =
       kind == SceneKind::lua ? load_lua(arguments, warnings) : load_obj(arguments, warnings);
   apply_settings(settings, scene.render, scene.film);
-  if (kind == SceneKind::lua) {
+  return scene;
+}
+
+void complete_scene(const SceneArguments& arguments, description::SceneDescription& scene) {
+  if (kind_of(arguments.file) == SceneKind::lua) {
     scene::add_missing_studio(scene);
   } else {
     scene::stand_in_studio(scene);
   }
-  return scene;
 }
 
 void check_settings(const std::vector<Assignment>& settings) {

@@ -6,12 +6,15 @@
 
 namespace lapidary::app {
 
-/// Reads what `arguments` name: a scene as it is, or a mesh, put into a studio. A scene gets the
-/// camera and the lights that it lacks. Throws Error, or UsageError where the kind of file does not
-/// go with the other arguments.
+/// Reads what `arguments` name, a scene or a mesh, as it is. Throws Error, or UsageError where the
+/// kind of file does not go with the other arguments.
 description::SceneDescription load_scene(const SceneArguments& arguments,
                                          const std::vector<Assignment>& settings,
                                          WarningLog& warnings);
+
+/// Adds what must be there to make a picture: to a bare mesh a studio to stand in, to a scene the
+/// camera and the lights that it lacks.
+void complete_scene(const SceneArguments& arguments, description::SceneDescription& scene);
 
 /// Throws UsageError for a setting that no scene could have, before anything is read.
 void check_settings(const std::vector<Assignment>& settings);

@@ -139,7 +139,8 @@ ExitCode run(const RenderCommand& command) {
   WarningLog warnings;
   ThreadPool pool(command.threads);
   PhaseClock clock;
-  const auto description = load_scene(command.scene, command.settings, warnings);
+  auto description = load_scene(command.scene, command.settings, warnings);
+  complete_scene(command.scene, description);
   statistics.size = description.render.size;
   render::check_size(statistics.size);
   statistics.seconds.load = clock.lap();
@@ -149,10 +150,13 @@ ExitCode run(const RenderCommand& command) {
   statistics.seconds.build = clock.lap();
   print_warnings(warnings.take());
 
-  film::Film film({.width = statistics.size.width,
-                   .height = statistics.size.height,
-                   .layers = layers_for(pictures),
-                   .exposure_factor = description.film.exposure});
+  const film::Film::Settings film_settings{.width = statistics.size.width,
+                                           .height = statistics.size.height,
+                                           .layers = layers_for(pictures),
+                                           .exposure_factor = description.film.exposure,
+                                           .scene_size = scene.size()};
+  render::check_memory(film_settings);
+  film::Film film(film_settings);
   const double cpu_seconds_before = process_cpu_seconds();
   statistics.render = render_watched(command, scene, description.render, film, pool);
   statistics.render_cpu_seconds = process_cpu_seconds() - cpu_seconds_before;

@@ -42,7 +42,8 @@ struct GlassIndexReader {
       return RefractiveIndex::constant(schema::Reader<double>::read(value, context));
     }
     if (value.kind() != ValueKind::string) {
-      schema::fail_type("an index of refraction such as 1.5 or the name of a glass", value, context);
+      schema::fail_type("an index of refraction such as 1.5 or the name of a glass", value,
+                        context);
     }
     if (auto index = find_glass(value.string())) return *std::move(index);
     fail_catalogue(glass_names(), "glass", value, context);
@@ -106,8 +107,7 @@ NodeKind metal() {
         .shorthand = Shorthand::yes})
       .parameter<Optional<ReflectanceReader>>(
           "color", &MetalParameters::color,
-          {.doc = "What it reflects head on, instead of 'ior'.",
-           .default_text = "{0.9, 0.9, 0.9}"})
+          {.doc = "What it reflects head on, instead of 'ior'.", .default_text = "{0.9, 0.9, 0.9}"})
       .parameter("n", &MetalParameters::n, {.doc = "Real part of its refractive index, with 'k'."})
       .parameter("k", &MetalParameters::k,
                  {.doc = "Imaginary part (extinction) of its refractive index, with 'n'."})

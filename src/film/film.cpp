@@ -26,6 +26,15 @@ Rgb to_rgb(double r, double g, double b) {
 
 }  // namespace
 
+std::uint64_t Film::bytes(const Settings& settings) {
+  const auto pixels =
+      static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height);
+  // Sums, squares, objects and hits; then floats for the channels and for encoding them.
+  constexpr std::uint64_t squares = 3 * sizeof(std::int64_t);
+  if (settings.layers == Layers::beauty) return pixels * (24 + squares + 3 * sizeof(float) * 2);
+  return pixels * (PixelSums::channels * 8 + squares + 8 + 14 * sizeof(float) * 2);
+}
+
 Film::Film(const Settings& settings)
     : settings_(settings),
       channels_(settings.layers == Layers::all ? PixelSums::channels : PixelSums::albedo),

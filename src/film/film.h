@@ -67,6 +67,9 @@ class Film {
 
   explicit Film(const Settings& settings);
 
+  /// What a film takes, with the pictures that are made from it at the end.
+  static std::uint64_t bytes(const Settings& settings);
+
   int width() const { return settings_.width; }
   int height() const { return settings_.height; }
   Layers layers() const { return settings_.layers; }

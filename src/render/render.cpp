@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/memory.h"
 
 namespace lapidary::render {
 namespace {
@@ -132,6 +133,19 @@ void check_size(const description::PictureSize& size) {
   if (static_cast<double>(size.width) * size.height > most_pixels) {
     throw Error({}, fmt::format("a picture of {} pixels is too large", text),
                 "at most 2^28 pixels, for instance 16384x16384, are possible");
+  }
+}
+
+void check_memory(const film::Film::Settings& settings) {
+  constexpr double gigabyte = 1e9;
+  const auto needed = static_cast<double>(film::Film::bytes(settings));
+  const auto available = static_cast<double>(physical_memory_bytes());
+  if (needed > 0.9 * available) {
+    throw Error(
+        {},
+        fmt::format("a picture of {}x{} pixels needs {:.1f} GB, and this machine has {:.1f}",
+                    settings.width, settings.height, needed / gigabyte, available / gigabyte),
+        "render it smaller, or without the layers of an EXR file");
   }
 }
 

@@ -27,6 +27,10 @@ SampleSettings sample_settings(const description::RenderSettings& settings);
 /// Refuses pictures that are empty or that memory cannot hold. Throws Error.
 void check_size(const description::PictureSize& size);
 
+/// Refuses a film that this machine's memory cannot hold, which the system might otherwise notice
+/// only in the middle of the render. Throws Error.
+void check_memory(const film::Film::Settings& settings);
+
 /// How far a render has come.
 struct Progress {
   std::uint64_t passes = 0;

@@ -32,6 +32,12 @@ const Slot& Scene::slot(const geometry::Hit& hit) const {
   return parts_.slots[parts_.mesh_slots[hit.index] + part];
 }
 
+double Scene::size() const {
+  const Box3d box = parts_.world.bounds();
+  const double diagonal = box.empty() ? 0.0 : length(box.extent());
+  return diagonal > 0.0 ? diagonal : 1.0;
+}
+
 SceneCounts Scene::counts() const {
   return {parts_.objects.size(), parts_.world.solids().size(),
           parts_.world.triangles().triangle_count(), parts_.lights.size()};

@@ -76,6 +76,8 @@ class Scene {
   const std::vector<std::uint32_t>& infinite_lights() const { return infinite_lights_; }
 
   SceneCounts counts() const;
+  /// Diagonal of everything bounded, scene units; 1 when nothing is.
+  double size() const;
 
  private:
   Parts parts_;
