@@ -219,5 +219,5 @@ return scene {
     ball(1.35, -2.9, 0.13, metal { "copper", roughness = 0.12 }),
   },
 
-  render = { size = { 960, 540 }, samples = 176 },
+  render = { size = { 960, 540 }, samples = 160 },
 }

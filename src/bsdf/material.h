@@ -9,21 +9,21 @@ namespace lapidary::bsdf {
 
 /// Lambert's ideal diffuse reflector, the same on both sides. Each value of `color` is in [0, 1].
 struct Matte {
-  Spectrum color;
+  Spectrum color = Spectrum::reflectance({0.8f, 0.8f, 0.8f});
 };
 
 /// An opaque metal, the same on both sides.
 struct Metal {
   /// Either the complex index, or the reflectance at normal incidence, in [0, 1], which rises to
   /// one at grazing incidence as Schlick says.
-  std::variant<ConductorIndex, Spectrum> surface;
+  std::variant<ConductorIndex, Spectrum> surface = Spectrum::reflectance({0.9f, 0.9f, 0.9f});
   /// 0 (mirror) to 1; GGX alpha is its square.
   double roughness = 0;
 };
 
 /// The boundary of a transparent medium of refractive index `index`.
 struct Glass {
-  RefractiveIndex index;
+  RefractiveIndex index = RefractiveIndex::constant(1.5);
   /// 0 (polished) to 1; GGX alpha is its square.
   double roughness = 0;
 };

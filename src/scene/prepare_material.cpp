@@ -31,22 +31,22 @@ SampledSpectrum normal_reflectance(const ConductorIndex& index, const Wavelength
   return ((n - one) * (n - one) + k2) / ((n + one) * (n + one) + k2);
 }
 
-PreparedMaterial prepare(const description::Matte& matte) {
-  return {bsdf::Matte{matte.color}, reflected_daylight(matte.color)};
+PreparedMaterial prepare(const bsdf::Matte& matte) {
+  return {matte, reflected_daylight(matte.color)};
 }
 
-PreparedMaterial prepare(const description::Metal& metal) {
+PreparedMaterial prepare(const bsdf::Metal& metal) {
   const Rgb albedo =
       std::holds_alternative<Spectrum>(metal.surface)
           ? reflected_daylight(std::get<Spectrum>(metal.surface))
           : color_of([&](const Wavelengths& w) {
               return normal_reflectance(std::get<ConductorIndex>(metal.surface), w) * w.d65();
             });
-  return {bsdf::Metal{metal.surface, metal.roughness}, albedo};
+  return {metal, albedo};
 }
 
-PreparedMaterial prepare(const description::Glass& glass) {
-  return {bsdf::Glass{glass.index, glass.roughness}, white};
+PreparedMaterial prepare(const bsdf::Glass& glass) {
+  return {glass, white};
 }
 
 /// The tint of the light, as bright as a surface can be.
