@@ -110,6 +110,26 @@ TEST(Picture, LayersAreZeroWhereNothingIs) {
   EXPECT_EQ(film.albedo(0, 0), Rgb());
 }
 
+// Pixels lie where they should to the last sample: an edge between two of them lights one fully
+// and the other not at all.
+TEST(Picture, HasItsPixelsInPlace) {
+  TinyScene tiny;
+  const auto light = material(description::Emissive{});
+  // A wall that fills the upper right of the view but for one pixel at each side.
+  tiny.add(geometry::Rectangle{{0, 5, 0}, {3, 0, 0}, {0, 0, 2}}, light);
+  description::Orthographic camera;
+  camera.view = {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  camera.size = 6;  // of the shorter side: pixels are 1 wide
+  tiny.description.camera = description::Camera{camera, {}};
+  const film::Film film = render_picture(tiny, {8, 6}, 16);
+  for (int y = 0; y < 6; ++y) {
+    for (int x = 0; x < 8; ++x) {
+      const bool lit = x >= 4 && x < 7 && y >= 1 && y < 3;
+      EXPECT_NEAR(film.beauty(x, y).g, lit ? 1.0 : 0.0, lit ? 2e-3 : 0.0) << x << ' ' << y;
+    }
+  }
+}
+
 /// A bright ball of radius e at distance d, seen through a lens of radius R that is sharp at f.
 struct OutOfFocus {
   double d = 4, f = 2, R = 0.12, e = 0.02;
