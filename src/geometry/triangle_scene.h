@@ -42,6 +42,9 @@ struct Corners {
 /// last bit of float, about 2 in 1000 do.
 class TriangleScene {
  public:
+  /// Embree leaves out what lies beyond about 1.8e18, without a word.
+  static constexpr double largest_coordinate = 1e18;
+
   TriangleScene();  ///< no triangles: nothing is ever hit
   TriangleScene(std::vector<MeshPlacement> placements, ThreadPool& pool);
   ~TriangleScene();

@@ -1,5 +1,6 @@
 #include "scene/build.h"
 
+#include <algorithm>
 #include <map>
 
 #include "base/error.h"
@@ -95,6 +96,12 @@ void Builder::add_sheet(const Leaf& leaf, const geometry::Sheet& sheet) {
 
 void Builder::add_mesh(const Leaf& leaf, const description::Mesh& mesh) {
   const geometry::TriangleMesh& triangles = *mesh.triangles;
+  const Box3d box = leaf.world_from_object.box(geometry::bounds(triangles));
+  const double largest = std::max(max_component(abs(box.min)), max_component(abs(box.max)));
+  if (!(largest < geometry::TriangleScene::largest_coordinate)) {
+    throw Error(leaf.object.where.location(), "the mesh reaches too far for single precision",
+                "scale it down: coordinates must stay below 1e18");
+  }
   const geometry::MeshPlacement& placement =
       world_.meshes.emplace_back(mesh.triangles, leaf.world_from_object);
   parts_.mesh_slots.push_back(static_cast<std::uint32_t>(parts_.slots.size()));
