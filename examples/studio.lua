@@ -118,7 +118,9 @@ local function shell()
     local rib = 1 + 0.025 * sin(20 * v)
     local r = size * (0.62 + 0.56 * rib * cos(v))
     return { r * cos(angle), r * sin(angle), size * (-2.3 + 0.72 * rib * sin(v)) }
-  end):material(matte "#f1e4d6"):rotate { z = 160 }:rotate { y = 55 }:scale(0.85):translate { x=.9, z = 1.5 }:name "shell"
+  end)
+    :rotate { z = 160 }:rotate { y = 55 }:scale(0.85):translate { x = 0.85, z = 1.5 }
+    :material(matte "#f1e4d6"):name "shell"
 end
 
 local function flacon()
