@@ -70,7 +70,7 @@ struct TinyScene {
     description::Perspective camera;
     camera.view = {from, at, {0, 0, 1}};
     camera.fov = fov;
-    description.camera = description::Camera{camera, {}};
+    description.camera.emplace(description::Camera{camera, {}});
     return *this;
   }
 
