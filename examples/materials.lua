@@ -9,7 +9,7 @@
 --   metals     gold, silver, copper, aluminium; then two coloured ones; polished
 --   satin      the same six, roughness 0.15
 --   brushed    the same six, roughness 0.35
---   matte      six colours of equal lightness, and so of unlike strength
+--   matte      six colours
 --   emissive   bodies that glow at 1900, 2700, 3600, 5000, 6500 and 12000 kelvin
 
 local only = param("row", "all")
@@ -96,7 +96,7 @@ end
 return scene {
   camera = perspective { from = { 0, -17, 10.4 }, at = { 0, 3.1, 2.7 }, fov = 18.6 },
   lights = {
-    rectangle_light { center = { -11, -5, 11 }, size = { 12, 8 }, at = { 0, 2, 2 }, radiance = 2 },
+    rectangle_light { center = { -11, -5, 11 }, size = { 12, 8 }, at = { 0, 2, 2 }, radiance = 2.4 },
     rectangle_light { center = { 11, 0, 7 }, size = { 3, 9 }, at = { 0, 3, 2 }, radiance = 2 },
     environment { color = { 0.4, 0.42, 0.45 } },
   },
@@ -105,5 +105,5 @@ return scene {
     plane { material = dark },
     rectangle { center = { 0, 9, 6 }, size = { 60, 20 }, normal = { 0, -1, 0 }, material = light },
   },
-  render = { size = { 960, 720 }, samples = 160 },
+  render = { size = { 960, 720 }, samples = 192 },
 }
