@@ -1,7 +1,9 @@
 #include <cstdio>
 #include <filesystem>
+#include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "film/develop.h"
 #include "image/image_io.h"
@@ -16,10 +18,13 @@ namespace {
 
 constexpr int width = 37, height = 29;  // no multiple of any tile
 
-/// A picture of a sky with a sun, in a file of its own that is removed again.
+/// A picture of a sky with a sun, in a file of this process's own that is removed again: every test
+/// is a process, and several run at once.
 class SkyFile {
  public:
-  SkyFile() : path_(std::filesystem::path(testing::TempDir()) / "lapidary_determinism_sky.exr") {
+  SkyFile()
+      : path_(std::filesystem::path(testing::TempDir()) /
+              ("lapidary_sky_" + std::to_string(getpid()) + ".exr")) {
     image::Image sky(16, 8);
     for (std::size_t i = 0; i < sky.pixels.size(); ++i) {
       sky.pixels[i] = 0.1f * static_cast<float>((i * 7) % 11);
