@@ -33,7 +33,8 @@ InterruptGuard::InterruptGuard() {
 }
 
 InterruptGuard::~InterruptGuard() {
-  handle(SIG_DFL);
+  // Once asked to stop, the program is on its way out: asked again, it still ends by its own code.
+  if (!interrupt_requested) handle(SIG_DFL);
 }
 
 const std::atomic<bool>& InterruptGuard::requested() const {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "math/constants.h"
 #include "math/vec.h"
@@ -50,31 +50,41 @@ struct Event {
 /// The events of one solid on one line, in ascending t with alternating crossings.
 ///
 /// `inside_at_start` says whether t = -infinity is inside: half-spaces and complements have an odd
-/// number of events. Grows without allocation up to `capacity`, which is enough for every solid
-/// whose boundary a line crosses a bounded number of times.
+/// number of events. Most solids have few; a buffer that is used again allocates only when it meets
+/// more events than ever before.
 class EventBuffer {
  public:
-  static constexpr std::size_t capacity = 8;
-
   EventBuffer() {}  // NOLINT: not defaulted, so that EventBuffer{} does not clear the array either
+  EventBuffer(const EventBuffer&) = delete;
+  EventBuffer& operator=(const EventBuffer&) = delete;
 
   void clear() { count_ = 0, inside_at_start_ = false; }
   void set_inside_at_start(bool inside) { inside_at_start_ = inside; }
   bool inside_at_start() const { return inside_at_start_; }
   void push(const Event& e) {
-    assert(count_ < capacity);
+    if (count_ == capacity_) grow();
     events_[count_++] = e;
   }
   std::size_t size() const { return count_; }
   bool empty() const { return count_ == 0; }
   const Event& operator[](std::size_t i) const { return events_[i]; }
-  const Event* begin() const { return events_.data(); }
-  const Event* end() const { return events_.data() + count_; }
+  Event& operator[](std::size_t i) { return events_[i]; }
+  const Event* begin() const { return events_; }
+  const Event* end() const { return events_ + count_; }
+  Event* begin() { return events_; }
+  Event* end() { return events_ + count_; }
 
  private:
+  static constexpr std::size_t inline_capacity = 8;
+
+  void grow();  // keeps the first `count_`
+
   std::size_t count_ = 0;
+  std::size_t capacity_ = inline_capacity;
   bool inside_at_start_ = false;
-  std::array<Event, capacity> events_;
+  Event* events_ = few_.data();
+  std::array<Event, inline_capacity> few_;
+  std::vector<Event> many_;  ///< takes over from `few_` when that is full
 };
 
 /// A line that lies in a flat face, or runs along a curved one, to within rounding counts as
