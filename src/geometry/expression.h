@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/placed_solid.h"
+
+namespace lapidary::geometry {
+
+/// What a surface wears, as a number that only the caller understands.
+using SurfaceTag = std::uint32_t;
+/// For leaves that wear what their region wears.
+inline constexpr SurfaceTag inherited_surface = ~SurfaceTag{0};
+
+enum class Operation : std::uint8_t { unite, intersect };
+
+/// Boolean expressions over placed solids as somebody stated them: a graph whose nodes may be
+/// operands of several others. Nodes are added operands first, so the graph has no cycles and is
+/// in topological order.
+///
+/// Nothing is simplified here; `Sweep` (geometry/csg) normalises. A difference a - b - c is the
+/// intersection of a, ~b and ~c.
+class Expression {
+ public:
+  /// A solid, or a combination of terms, or the complement of either.
+  class Term {
+   public:
+    Term() = default;
+
+    Term operator~() const { return Term(bits_ ^ complement_bit); }
+    bool is_complement() const { return (bits_ & complement_bit) != 0; }
+    bool is_leaf() const { return (bits_ & leaf_bit) != 0; }
+    /// Into `leaves()` or `nodes()`.
+    std::uint32_t index() const { return bits_ & ~(complement_bit | leaf_bit); }
+    bool operator==(const Term&) const = default;
+
+   private:
+    friend class Expression;
+    static constexpr std::uint32_t complement_bit = 0x80000000u, leaf_bit = 0x40000000u;
+    explicit Term(std::uint32_t bits) : bits_(bits) {}
+    std::uint32_t bits_ = 0;
+  };
+
+  struct Leaf {
+    PlacedSolid solid;
+    SurfaceTag tag = inherited_surface;
+  };
+
+  struct Node {
+    Operation operation;
+    std::uint32_t first;  ///< of its operands
+    std::uint32_t count;
+  };
+
+  /// Terms of this expression, at most 2^30 leaves and as many nodes.
+  Term add(const PlacedSolid& solid, SurfaceTag tag = inherited_surface);
+  /// Of no operands a union is nothing and an intersection everything.
+  Term add(Operation operation, std::span<const Term> operands);
+
+  const std::vector<Leaf>& leaves() const { return leaves_; }
+  const std::vector<Node>& nodes() const { return nodes_; }
+  std::span<const Term> operands(const Node& node) const {
+    return {operands_.data() + node.first, node.count};
+  }
+  /// Makes room, where the counts are known.
+  void reserve(std::size_t leaves, std::size_t nodes);
+
+ private:
+  std::vector<Leaf> leaves_;
+  std::vector<Node> nodes_;
+  std::vector<Term> operands_;
+};
+
+/// Which of several regions a point belongs to that is inside of all of them: that of the greatest
+/// priority, then an opaque one, then the one stated first.
+enum class Opacity : std::uint8_t { transparent, opaque };
+
+/// A body of the world: where it is, what fills it and what its surface wears.
+struct Region {
+  Expression::Term root;
+  SurfaceTag tag = 0;  ///< of leaves that inherit
+  /// What fills it; 0 is what surrounds everything. Between regions of the same medium there is no
+  /// surface.
+  std::uint32_t medium = 0;
+  std::int32_t priority = 0;
+  Opacity opacity = Opacity::opaque;
+};
+
+}  // namespace lapidary::geometry
