@@ -29,6 +29,38 @@ class Bvh {
   template <typename Visit>
   bool walk(const Line& line, double t_max, Visit&& visit) const;
 
+  /// A node of the hierarchy or one of its items, for those who walk it in an order of their own.
+  class Ref {
+   public:
+    Ref() = default;
+    bool is_item() const { return (bits_ & leaf_bit) != 0; }
+    std::uint32_t item() const { return bits_ & ~leaf_bit; }
+    /// For those who store it among numbers of their own.
+    std::uint32_t bits() const { return bits_; }
+    static Ref from_bits(std::uint32_t bits) { return Ref(bits); }
+
+   private:
+    friend class Bvh;
+    explicit Ref(std::uint32_t bits) : bits_(bits) {}
+    std::uint32_t bits_ = 0;
+  };
+
+  /// A line prepared for slab tests: its origin rounded down and up, inverse direction.
+  struct Slabs {
+    /// The true line may be off by `displacement` wherever it meets the boxes.
+    explicit Slabs(const Line& line, double displacement = 0);
+    std::array<float, 3> origin_near, origin_far, inverse;
+    std::array<std::uint32_t, 3> near_row, far_row;
+  };
+
+  bool empty() const { return nodes_.empty(); }
+  /// Not of an empty hierarchy.
+  Ref root() const { return Ref(0); }
+  /// Calls `visit(t, child)` for the children of a node (not an item) whose boxes the line meets at
+  /// some t in [0, t_max], in no order, with a lower bound of where.
+  template <typename Visit>
+  void expand(Ref node, const Slabs& slabs, double t_max, Visit&& visit) const;
+
   std::size_t bytes() const { return nodes_.size() * sizeof(Node); }
 
  private:
@@ -41,13 +73,6 @@ class Bvh {
   struct alignas(32) Node {
     std::array<std::array<float, width>, 6> bounds;
     std::array<std::uint32_t, width> child;  ///< a node, or an item with `leaf_bit`
-  };
-
-  /// A line prepared for slab tests: its origin rounded down and up, inverse direction.
-  struct Slabs {
-    explicit Slabs(const Line& line);
-    std::array<float, 3> origin_near, origin_far, inverse;
-    std::array<std::uint32_t, 3> near_row, far_row;
   };
 
   struct Entry {
@@ -63,13 +88,14 @@ class Bvh {
   std::vector<Node> nodes_;
 };
 
-inline Bvh::Slabs::Slabs(const Line& line) {
+inline Bvh::Slabs::Slabs(const Line& line, double displacement) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double o = line.origin[axis];
     const float nearest = static_cast<float>(o);
     // One unit in the last place to either side covers the conversion, and keeps an origin that
     // lies in a face from multiplying zero by the infinite inverse of a zero direction.
-    const float slack = std::abs(nearest) * 0x1p-23f + 1e-37f;
+    const float slack =
+        std::abs(nearest) * 0x1p-23f + static_cast<float>(displacement) * (1 + 0x1p-23f) + 1e-37f;
     const float d = static_cast<float>(line.direction[axis]);
     const bool forward = !std::signbit(d);
     origin_near[axis] = forward ? nearest + slack : nearest - slack;
@@ -99,6 +125,17 @@ inline unsigned Bvh::test(const Node& node, const Slabs& slabs, float t_max,
   }
   _mm256_storeu_ps(entry.data(), t0);
   return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(t0, t1, _CMP_LE_OQ)));
+}
+
+template <typename Visit>
+void Bvh::expand(Ref node, const Slabs& slabs, double t_max, Visit&& visit) const {
+  std::array<float, width> entry;
+  const Node& n = nodes_[node.bits()];
+  const float limit = static_cast<float>(t_max) * (1.0f + 0x1p-22f);
+  for (unsigned met = test(n, slabs, limit, entry); met != 0; met &= met - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctz(met));
+    visit(entry[i], Ref(n.child[i]));
+  }
 }
 
 template <typename Visit>

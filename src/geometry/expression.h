@@ -2,14 +2,15 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "geometry/placed_solid.h"
+#include "geometry/ray.h"
 
 namespace lapidary::geometry {
 
-/// What a surface wears, as a number that only the caller understands.
-using SurfaceTag = std::uint32_t;
 /// For leaves that wear what their region wears.
 inline constexpr SurfaceTag inherited_surface = ~SurfaceTag{0};
 
@@ -63,6 +64,8 @@ class Expression {
   std::span<const Term> operands(const Node& node) const {
     return {operands_.data() + node.first, node.count};
   }
+  /// Leaves the expression without leaves.
+  std::vector<Leaf> take_leaves() { return std::move(leaves_); }
   /// Makes room, where the counts are known.
   void reserve(std::size_t leaves, std::size_t nodes);
 
@@ -76,9 +79,21 @@ class Expression {
 /// priority, then an opaque one, then the one stated first.
 enum class Opacity : std::uint8_t { transparent, opaque };
 
+/// An expression that stands in the world in several places.
+struct Assembly {
+  Expression expression;
+  Expression::Term root;
+};
+
+/// One of those places.
+struct Instance {
+  std::uint32_t assembly = 0;
+  Transform world_from_assembly;
+};
+
 /// A body of the world: where it is, what fills it and what its surface wears.
 struct Region {
-  Expression::Term root;
+  std::variant<Expression::Term, Instance> root;  ///< a term of the world's own expression
   SurfaceTag tag = 0;  ///< of leaves that inherit
   /// What fills it; 0 is what surrounds everything. Between regions of the same medium there is no
   /// surface.

@@ -9,36 +9,6 @@ namespace {
 
 constexpr double u_ = rounding_unit;
 
-double frobenius_norm(const Mat3& m) {
-  return std::sqrt(length_squared(m.row[0]) + length_squared(m.row[1]) + length_squared(m.row[2]));
-}
-
-Mat3 magnitudes(const Mat3& m) {
-  return {{abs(m.row[0]), abs(m.row[1]), abs(m.row[2])}};
-}
-
-Mat3 operator+(const Mat3& a, const Mat3& b) {
-  return {{a.row[0] + b.row[0], a.row[1] + b.row[1], a.row[2] + b.row[2]}};
-}
-
-Mat3 operator*(const Mat3& m, double s) {
-  return {{m.row[0] * s, m.row[1] * s, m.row[2] * s}};
-}
-
-/// Bounds on the entries of a b - identity, with the rounding of computing it.
-Mat3 residual_bound(const Mat3& a, const Mat3& b) {
-  Mat3 residual = a * b;
-  for (std::size_t i = 0; i < 3; ++i) residual.row[i][i] -= 1.0;
-  return magnitudes(residual) + magnitudes(a) * magnitudes(b) * (4 * u_);
-}
-
-/// Bounds, entry by entry, on the error of g * v relative to the exact inverse of m: with
-/// g m = 1 + r the inverse is (1 + r)^-1 g, at most 2 |r| |g| off while |r| < 1/2, and the product
-/// and v itself have 4 roundings. Entry by entry, since uneven scaling alone costs no digits.
-Mat3 inverse_error(const Mat3& g, const Mat3& m) {
-  return (residual_bound(g, m) * 2.0) * magnitudes(g) + magnitudes(g) * (4 * u_);
-}
-
 /// How far the linear map is from its scale times a rotation or reflection: the greatest relative
 /// deviation of a length.
 double similarity_deviation(const Mat3& linear, double scale) {
@@ -71,6 +41,15 @@ double image_error(const Cylinder& solid, const Cylinder& image, const Transform
   const double scale = image.radius / solid.radius;
   return ends * (1 + 2 * image.radius / height) +
          3 * (similarity_deviation(map.linear(), scale) + 4 * u_) * (image.radius + height);
+}
+
+double displacement_of_image(const Solid& solid, const Solid& image, const Transform& map) {
+  return std::visit(
+      [&](const auto& kind) {
+        using Kind = std::decay_t<decltype(kind)>;
+        return image_error(kind, std::get<Kind>(image), map);
+      },
+      solid);
 }
 
 Box3d affine_bounds(const Sphere& sphere, const Transform& map) {
@@ -118,59 +97,58 @@ double affine_area(const Cylinder& cylinder, const Mat3& linear) {
 
 }  // namespace
 
-PlacedSolid::PlacedSolid(const Solid& solid, const Transform& world_from_solid)
-    : space_(Space::own),
-      shape_(solid),
-      offset_(world_from_solid.offset()),
-      own_from_world_(world_from_solid.inverse().linear()),
-      gain_(frobenius_norm(own_from_world_) * (1 + 8 * u_)),
-      solid_(solid),
-      world_from_solid_(world_from_solid) {
-  mapping_error_ = frobenius_norm(inverse_error(own_from_world_, world_from_solid.linear()));
-  if (const auto image = transformed(solid, world_from_solid)) set_baked(*image);
+PlacedSolid::PlacedSolid(const Solid& solid, const Transform& world_from_solid) : shape_(solid) {
+  if (world_from_solid.is_identity()) {
+    space_ = Space::world;
+    return;
+  }
+  const auto image = transformed(solid, world_from_solid);
+  if (image && world_from_solid.linear() == Mat3::identity()) {
+    space_ = Space::world;
+    surface_error_ = displacement_of_image(solid, *image, world_from_solid);
+    shape_ = *image;
+    return;
+  }
+  const OwnSpace space(world_from_solid);
+  if (image) set_baked(*image, solid, space);
+  origin_ = std::make_shared<const Origin>(Origin{solid, space});
 }
 
-void PlacedSolid::set_baked(const Solid& image) {
+void PlacedSolid::set_baked(const Solid& image, const Solid& solid, const OwnSpace& space) {
+  const Transform& map = space.world_from_own();
   space_ = Space::world;
   shape_ = image;
-  if (world_from_solid_.is_identity()) return;
-  surface_error_ = std::visit(
-      [&](const auto& kind) {
-        using Kind = std::decay_t<decltype(kind)>;
-        return image_error(kind, std::get<Kind>(image), world_from_solid_);
-      },
-      solid_);
+  surface_error_ = displacement_of_image(solid, image, map);
   if (const auto* half_space = std::get_if<HalfSpace>(&image)) {
-    const auto& own = std::get<HalfSpace>(solid_);
-    const Mat3 e = transpose(inverse_error(own_from_world_, world_from_solid_.linear()));
+    const auto& own = std::get<HalfSpace>(solid);
+    const Mat3 e = transpose(inverse_error(space.own_from_world(), map.linear()));
     angle_error_ = length(e * abs(own.normal)) / length(half_space->normal);
-    surface_error_ += angle_error_ * one_norm(half_space->point - offset_);
+    surface_error_ += angle_error_ * one_norm(half_space->point - map.offset());
   }
 }
 
-Vec3d PlacedSolid::own_normal(Vec3d n) const {
-  const Mat3& m = world_from_solid_.linear();
-  return m.row[0] * n.x + m.row[1] * n.y + m.row[2] * n.z;
-}
-
-Vec3d PlacedSolid::world_normal(Vec3d n) const {
-  return own_from_world_.row[0] * n.x + own_from_world_.row[1] * n.y + own_from_world_.row[2] * n.z;
+const Transform& PlacedSolid::world_from_solid() const {
+  static const Transform identity;
+  return origin_ ? origin_->space.world_from_own() : identity;
 }
 
 Vec3d outward_normal(const PlacedSolid& placed, Patch patch, Vec3d p) {
   if (placed.space() == PlacedSolid::Space::world) return outward_normal(placed.shape(), patch, p);
-  return normalize(placed.world_normal(outward_normal(placed.shape(), patch, placed.own_point(p))));
+  const OwnSpace& own = *placed.own_space();
+  return normalize(own.world_normal(outward_normal(placed.shape(), patch, own.point(p))));
 }
 
 SurfaceUv surface_uv(const PlacedSolid& placed, Patch patch, Vec3d p) {
-  const Mat3& m = placed.world_from_solid().linear();
-  const SurfaceUv own = surface_uv(placed.solid(), patch, placed.own_point(p));
+  const OwnSpace* space = placed.own_space();
+  if (space == nullptr) return surface_uv(placed.shape(), patch, p);
+  const Mat3& m = space->world_from_own().linear();
+  const SurfaceUv own = surface_uv(placed.solid(), patch, space->point(p));
   return {own.uv, m * own.dpdu, m * own.dpdv};
 }
 
 bool contains(const PlacedSolid& placed, Vec3d p) {
   if (placed.space() == PlacedSolid::Space::world) return contains(placed.shape(), p);
-  return contains(placed.shape(), placed.own_point(p));
+  return contains(placed.shape(), placed.own_space()->point(p));
 }
 
 Box3d bounds(const PlacedSolid& placed) {
@@ -194,15 +172,19 @@ double area(const PlacedSolid& placed) {
 
 BoundaryPoint sample_boundary(const PlacedSolid& placed, Vec2d u, double u_patch) {
   const BoundaryPoint own = sample_boundary(placed.solid(), u, u_patch);
-  const Transform& map = placed.world_from_solid();
+  const OwnSpace* space = placed.own_space();
+  if (space == nullptr) return own;
+  const Transform& map = space->world_from_own();
   const double stretch = length(cofactors(map.linear()) * own.normal);
-  return {map.point(own.p), normalize(placed.world_normal(own.normal)), own.patch,
+  return {map.point(own.p), normalize(space->world_normal(own.normal)), own.patch,
           own.pdf_area / stretch};
 }
 
 double boundary_pdf_area(const PlacedSolid& placed, Patch patch, Vec3d p) {
-  const Vec3d n = outward_normal(placed.solid(), patch, placed.own_point(p));
-  const double stretch = length(cofactors(placed.world_from_solid().linear()) * n);
+  const OwnSpace* space = placed.own_space();
+  if (space == nullptr) return 1.0 / area(placed.shape());
+  const Vec3d n = outward_normal(placed.solid(), patch, space->point(p));
+  const double stretch = length(cofactors(space->world_from_own().linear()) * n);
   return 1.0 / (area(placed.solid()) * stretch);
 }
 

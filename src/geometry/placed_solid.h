@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+
+#include "geometry/own_space.h"
 #include "geometry/solid.h"
 
 namespace lapidary::geometry {
@@ -8,42 +11,44 @@ namespace lapidary::geometry {
 ///
 /// Lines meet it in one of two spaces. Where the image of the solid is of the same kind, lines
 /// meet that image as they are, in the world; otherwise they are transformed into the solid's own
-/// coordinates. Their direction is not normalised then, so t stays that of the world. Either way
-/// the rounding of the transform is part of every event's tau: exact means the stated solid under
-/// the exact affine map that world_from_solid states.
+/// coordinates. Either way the rounding of the transform is part of every event's tau: exact means
+/// the stated solid under the exact affine map that world_from_solid states.
+///
+/// A solid that was only moved, neither turned nor scaled, is its image: nothing else is kept, so
+/// that a million of them stay small.
 class PlacedSolid {
  public:
   enum class Space : std::uint8_t { world, own };
 
   PlacedSolid(const Solid& solid, const Transform& world_from_solid);
 
-  const Solid& solid() const { return solid_; }
-  const Transform& world_from_solid() const { return world_from_solid_; }
-  Space space() const { return space_; }
   /// What lines meet: the image in the world, or the solid itself in its own space.
   const Solid& shape() const { return shape_; }
+  Space space() const { return space_; }
+  /// As stated; what was only moved counts as stated where it is.
+  const Solid& solid() const { return origin_ ? origin_->solid : shape_; }
+  /// Null when that is the identity.
+  const OwnSpace* own_space() const { return origin_ ? &origin_->space : nullptr; }
+  const Transform& world_from_solid() const;
   /// Bound on the displacement of a baked image's surface by rounding; 0 in own space.
   double surface_error() const { return surface_error_; }
 
   /// The line as `shape` has to meet it, with the error of getting there.
   Line shape_line(const Line& line) const;
-  Vec3d own_point(Vec3d world_point) const { return own_from_world_ * (world_point - offset_); }
-  Vec3d own_normal(Vec3d world_normal) const;        ///< not normalised
-  Vec3d world_normal(Vec3d own_space_normal) const;  ///< not normalised
 
  private:
-  void set_baked(const Solid& image);
+  struct Origin {
+    Solid solid;
+    OwnSpace space;
+  };
 
-  Space space_;
+  void set_baked(const Solid& image, const Solid& solid, const OwnSpace& space);
+
   Solid shape_;
   double surface_error_ = 0;  ///< of a baked image: displacement of its surface
-  double angle_error_ = 0;    ///< and its turn about offset_, for unbounded surfaces
-  Vec3d offset_;
-  Mat3 own_from_world_;
-  double gain_;           ///< bounds how much own_from_world_ lengthens a vector
-  double mapping_error_;  ///< error of own_from_world_ * v as a multiple of |v|
-  Solid solid_;
-  Transform world_from_solid_;
+  double angle_error_ = 0;    ///< and its turn about the own space's offset, for unbounded surfaces
+  std::shared_ptr<const Origin> origin_;
+  Space space_ = Space::own;
 };
 
 void intervals(const PlacedSolid& placed, const Line& line, EventBuffer& events);
@@ -60,24 +65,15 @@ BoundaryPoint sample_boundary(const PlacedSolid& placed, Vec2d u, double u_patch
 /// The density of sample_boundary, per unit world area, at a point of the boundary.
 double boundary_pdf_area(const PlacedSolid& placed, Patch patch, Vec3d p);
 
-inline double one_norm(Vec3d v) {
-  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
-
 inline Line PlacedSolid::shape_line(const Line& line) const {
-  if (space_ == Space::world) {
-    double turn_at_origin = 0, turn_per_t = 0;
-    if (angle_error_ != 0.0) {
-      turn_at_origin = angle_error_ * one_norm(line.origin - offset_);
-      turn_per_t = angle_error_ * one_norm(line.direction);
-    }
-    return {line.origin, line.direction, line.origin_error + surface_error_ + turn_at_origin,
-            line.direction_error + turn_per_t};
+  if (space_ == Space::own) return origin_->space.line(line);
+  double turn_at_origin = 0, turn_per_t = 0;
+  if (angle_error_ != 0.0) {
+    turn_at_origin = angle_error_ * one_norm(line.origin - origin_->space.offset());
+    turn_per_t = angle_error_ * one_norm(line.direction);
   }
-  const Vec3d from_offset = line.origin - offset_;
-  return {own_from_world_ * from_offset, own_from_world_ * line.direction,
-          mapping_error_ * one_norm(from_offset) + gain_ * line.origin_error,
-          mapping_error_ * one_norm(line.direction) + gain_ * line.direction_error};
+  return {line.origin, line.direction, line.origin_error + surface_error_ + turn_at_origin,
+          line.direction_error + turn_per_t};
 }
 
 inline void intervals(const PlacedSolid& placed, const Line& line, EventBuffer& events) {

@@ -277,6 +277,11 @@ double TriangleScene::self_distance(Vec3d p, std::uint32_t placement, const Corn
   return 0x1p-24 * factor * (distance + edge);
 }
 
+double TriangleScene::float_error() const {
+  const Box3d& box = state_->bounds;
+  return box.empty() ? 0.0 : 0x1p-24 * 12.0 * 1.5 * max_component(box.extent());
+}
+
 Box3d TriangleScene::bounds() const {
   return state_->bounds;
 }

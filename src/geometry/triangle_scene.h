@@ -70,6 +70,9 @@ class TriangleScene {
   /// float traversal cannot meet the same triangle or its neighbours behind it again.
   double self_distance(Vec3d p, std::uint32_t placement, const Corners& c) const;
 
+  /// Bounds the distance, anywhere, by which the float traversal misplaces a triangle.
+  double float_error() const;
+
   Box3d bounds() const;
   std::size_t triangle_count() const;  ///< instanced ones each time they appear
 

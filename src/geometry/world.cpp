@@ -2,34 +2,10 @@
 
 #include <cmath>
 
+#include "geometry/sweep.h"
+
 namespace lapidary::geometry {
 namespace {
-
-/// The event of `events` that the ray starts on, as an index; `events.size()` when it has none.
-std::size_t starting_event(const EventBuffer& events, const SurfaceRef& from) {
-  std::size_t best = events.size();
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    if (events[i].patch != from.patch || events[i].crossing != from.crossing) continue;
-    if (best == events.size() || std::abs(events[i].t) < std::abs(events[best].t)) best = i;
-  }
-  return best;
-}
-
-/// The first crossing a ray makes, nullptr if none: events up to the one it starts on are past, as
-/// is everything that cannot be told from t = 0.
-const Event* first_crossing(const EventBuffer& events, const Ray& ray, bool starts_here) {
-  std::size_t i = 0;
-  if (starts_here) {
-    const std::size_t start = starting_event(events, ray.from);
-    if (start < events.size()) i = start + 1;
-  }
-  const bool leaves_surface = ray.from.kind != SurfaceKind::none;
-  for (; i < events.size(); ++i) {
-    const Event& e = events[i];
-    if (e.t > (leaves_surface ? e.tau : 0.0)) return e.t < ray.t_max ? &e : nullptr;
-  }
-  return nullptr;
-}
 
 Vec3d facing(Vec3d n, Vec3d side) {
   return dot(n, side) < 0.0 ? -n : n;
@@ -37,71 +13,104 @@ Vec3d facing(Vec3d n, Vec3d side) {
 
 }  // namespace
 
-World::World(Parts parts, ThreadPool& pool) : parts_(std::move(parts)) {
+World::World(Parts parts, ThreadPool& pool)
+    : solids_(std::move(parts.solids)),
+      stated_sheets_(std::move(parts.sheets)),
+      bounds_(solids_.bounded_part()) {
   std::vector<Box3d> boxes;
-  const auto place = [&](std::uint32_t item, const Box3d& box) {
-    if (!box.bounded()) return unbounded_.push_back(item);
-    bounded_.push_back(item);
-    boxes.push_back(box);
-    bounds_.extend(box);
-  };
-  std::uint32_t item = 0;
-  for (const PlacedSolid& solid : parts_.solids) place(item++, geometry::bounds(solid));
-  for (const Sheet& sheet : parts_.sheets) {
-    place(item++, geometry::bounds(sheet));
+  for (const Sheet& sheet : stated_sheets_) {
+    boxes.push_back(geometry::bounds(sheet));
+    bounds_.extend(boxes.back());
     sheets_.push_back(prepared(sheet));
   }
-  bvh_ = Bvh(boxes);
-  triangles_ = TriangleScene(std::move(parts_.meshes), pool);
+  sheet_bvh_ = Bvh(boxes);
+  triangles_ = TriangleScene(std::move(parts.meshes), pool);
   bounds_.extend(triangles_.bounds());
 }
 
-bool World::test_item(std::uint32_t item, const Ray& ray, Hit& hit) const {
-  const auto solids = static_cast<std::uint32_t>(parts_.solids.size());
-  if (item >= solids) {
-    const std::uint32_t index = item - solids;
-    if (ray.from.kind == SurfaceKind::sheet && ray.from.index == index) return false;
-    const auto e = intersect(sheets_[index], ray.line());
+std::optional<Event> World::meet_sheet(std::uint32_t sheet, const Ray& ray) const {
+  if (ray.from.kind == SurfaceKind::sheet && ray.from.index == sheet) return std::nullopt;
+  const auto e = intersect(sheets_[sheet], ray.line());
+  if (!e || !(e->t < ray.t_max)) return std::nullopt;
+  if (!(e->t > (ray.from.kind == SurfaceKind::none ? 0.0 : e->tau))) return std::nullopt;
+  return e;
+}
+
+void World::nearest_sheet(const Ray& ray, Hit& hit) const {
+  sheet_bvh_.walk(ray.line(), hit.t, [&](std::uint32_t sheet, double& t_max) {
+    const auto e = meet_sheet(sheet, ray);
     if (!e || !(e->t < hit.t)) return false;
-    if (!(e->t > (ray.from.kind == SurfaceKind::none ? 0.0 : e->tau))) return false;
-    hit = {e->t, SurfaceKind::sheet, e->crossing, e->patch, index};
-    return true;
+    hit.t = t_max = e->t;
+    hit.tau = e->tau;
+    hit.kind = SurfaceKind::sheet;
+    hit.crossing = e->crossing;
+    hit.patch = e->patch;
+    hit.index = sheet;
+    return false;
+  });
+}
+
+void World::nearest_triangle(const Ray& ray, Hit& hit) const {
+  // Far enough to find triangles that lie on the surface found, whose t is only a float yet.
+  const bool may_tie = hit.kind == SurfaceKind::solid;
+  const double slack = 8 * triangles_.float_error() / length(ray.direction);
+  const double far = may_tie ? hit.t * (1 + 0x1p-22) + slack : hit.t;
+  TriangleHit found;
+  if (!triangles_.nearest(ray.line(), far, found)) return;
+  if (may_tie) {
+    TriangleScene::refine(ray.line(), triangles_.corners(found.placement, found.triangle), found);
+    const double reach = one_norm(ray.origin) + found.t * one_norm(ray.direction);
+    const double normal_error = 16 * rounding_unit * reach;
+    if (found.t > hit.t + hit.tau + normal_error / length(ray.direction)) return;
   }
-  EventBuffer events;
-  intervals(parts_.solids[item], ray.line(), events);
-  const bool starts_here = ray.from.kind == SurfaceKind::solid && ray.from.index == item;
-  const Event* e = first_crossing(events, ray, starts_here);
-  if (e == nullptr || !(e->t < hit.t)) return false;
-  hit = {e->t, SurfaceKind::solid, e->crossing, e->patch, item};
-  return true;
+  hit.t = found.t;
+  hit.kind = SurfaceKind::triangle;
+  hit.crossing = Crossing::enter;
+  hit.index = found.placement;
+  hit.triangle = found.triangle;
+  hit.b1 = found.b1;
+  hit.b2 = found.b2;
+  hit.region_after = hit.region_before;
 }
 
 Hit World::nearest(const Ray& ray) const {
   Hit hit;
   hit.t = ray.t_max;
-  for (const std::uint32_t item : unbounded_) test_item(item, ray, hit);
-  bvh_.walk(ray.line(), hit.t, [&](std::uint32_t leaf, double& t_max) {
-    if (test_item(bounded_[leaf], ray, hit)) t_max = hit.t;
-    return false;
-  });
-  TriangleHit found;
-  if (triangles_.nearest(ray.line(), hit.t, found)) {
-    hit = {found.t,         SurfaceKind::triangle, Crossing::enter, 0,
-           found.placement, found.triangle,        found.b1,        found.b2};
+  nearest_sheet(ray, hit);
+  if (solids_.region_count() == 0) {
+    hit.region_before = hit.region_after = SolidScene::no_region;
+  } else {
+    Ray through_solids = ray;
+    through_solids.t_max = hit.kind == SurfaceKind::sheet ? hit.t + hit.tau : hit.t;
+    Sweep sweep(solids_, through_solids);
+    const auto found = sweep.next();
+    hit.region_before = hit.region_after = found ? found->before : sweep.region();
+    const bool before_sheet =
+        found && (hit.kind == SurfaceKind::none || found->t + found->tau < hit.t - hit.tau);
+    if (before_sheet) {
+      hit.t = found->t;
+      hit.tau = found->tau;
+      hit.kind = SurfaceKind::solid;
+      hit.crossing = found->surface_of == found->after ? Crossing::enter : Crossing::leave;
+      hit.is_complement = found->is_complement;
+      hit.patch = found->patch;
+      hit.index = found->leaf;
+      hit.place = found->place;
+      hit.tag = found->tag;
+      hit.region_after = found->after;
+    }
   }
+  if (!triangles_.empty()) nearest_triangle(ray, hit);
   return hit;
 }
 
 bool World::occluded(const Ray& ray) const {
-  Hit hit;
-  hit.t = ray.t_max;
-  for (const std::uint32_t item : unbounded_) {
-    if (test_item(item, ray, hit)) return true;
-  }
-  const bool met = bvh_.walk(ray.line(), ray.t_max, [&](std::uint32_t leaf, double&) {
-    return test_item(bounded_[leaf], ray, hit);
+  const bool by_sheet = sheet_bvh_.walk(ray.line(), ray.t_max, [&](std::uint32_t sheet, double&) {
+    return meet_sheet(sheet, ray).has_value();
   });
-  return met || triangles_.occluded(ray.line(), ray.t_max);
+  if (by_sheet) return true;
+  if (solids_.region_count() != 0 && Sweep(solids_, ray).next()) return true;
+  return triangles_.occluded(ray.line(), ray.t_max);
 }
 
 Surface World::surface(const Ray& ray, const Hit& hit) const {
@@ -111,11 +120,19 @@ Surface World::surface(const Ray& ray, const Hit& hit) const {
   s.kind = hit.kind;
   s.patch = hit.patch;
   s.index = hit.index;
-  s.geometric_normal =
-      hit.kind == SurfaceKind::solid
-          ? outward_normal(parts_.solids[hit.index], hit.patch, s.p)
-          : std::visit([](const auto& sheet) { return sheet.normal; }, sheets_[hit.index]);
+  s.place = hit.place;
+  s.is_complement = hit.is_complement;
+  if (hit.kind == SurfaceKind::solid) {
+    const Vec3d n = solids_.outward_normal(hit.place, hit.index, hit.patch, s.p);
+    s.geometric_normal = hit.is_complement ? -n : n;
+  } else {
+    s.geometric_normal =
+        std::visit([](const auto& sheet) { return sheet.normal; }, sheets_[hit.index]);
+  }
   s.shading_normal = s.geometric_normal;
+  // Off by tau along the ray, and by the roundings of the sum.
+  s.displacement = hit.tau * std::abs(dot(ray.direction, s.geometric_normal)) +
+                   3 * rounding_unit * (one_norm(ray.origin) + one_norm(s.p));
   return s;
 }
 
@@ -147,9 +164,9 @@ Surface World::triangle_surface(const Ray& ray, const Hit& hit) const {
 SurfaceUv World::surface_uv(const Hit& hit, const Surface& surface) const {
   switch (hit.kind) {
     case SurfaceKind::solid:
-      return geometry::surface_uv(parts_.solids[hit.index], hit.patch, surface.p);
+      return solids_.surface_uv(hit.place, hit.index, hit.patch, surface.p);
     case SurfaceKind::sheet:
-      return geometry::surface_uv(parts_.sheets[hit.index], surface.p);
+      return geometry::surface_uv(stated_sheets_[hit.index], surface.p);
     case SurfaceKind::triangle:
       return triangle_uv(hit);
     case SurfaceKind::none:
@@ -177,10 +194,12 @@ SurfaceUv World::triangle_uv(const Hit& hit) const {
 
 Ray World::leave(const Surface& surface, Vec3d direction) {
   const bool outward = dot(direction, surface.geometric_normal) > 0.0;
+  const bool out_of_leaf = outward != surface.is_complement;
   Ray ray;
   ray.direction = direction;
-  ray.from = {surface.kind, outward ? Crossing::leave : Crossing::enter, surface.patch,
-              surface.index};
+  ray.from = {surface.kind,  out_of_leaf ? Crossing::leave : Crossing::enter,
+              surface.patch, surface.index,
+              surface.place, surface.displacement};
   ray.origin = surface.p + surface.geometric_normal *
                                (outward ? surface.self_distance : -surface.self_distance);
   return ray;

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/bvh.h"
-#include "geometry/placed_solid.h"
 #include "geometry/ray.h"
 #include "geometry/sheet.h"
+#include "geometry/solid_scene.h"
 #include "geometry/triangle_scene.h"
 
 namespace lapidary::geometry {
@@ -17,19 +18,24 @@ struct Surface {
   Vec3d geometric_normal;  ///< unit; outward from a solid, to the front of a sheet or triangle
   Vec3d shading_normal;    ///< unit, on the side of `geometric_normal`
   SurfaceKind kind = SurfaceKind::none;
+  bool is_complement = false;  ///< of a leaf of solids: the body is on its outside
   Patch patch = 0;
   std::uint32_t index = 0;
+  std::uint32_t place = 0;
+  double displacement = 0;   ///< of a solid or sheet: how far off it `p` may be
   double self_distance = 0;  ///< along the normal, where rays that leave a triangle start
 };
 
 /// All surfaces of a scene, immutable once built and shared by all threads.
 ///
-/// Solids and sheets live in a hierarchy of our own, in double; triangles in Embree. A ray asks the
-/// solids first and gives the triangles the distance found as its far end.
+/// Sheets and solids live in hierarchies of our own, in double; triangles in Embree. A ray asks
+/// the sheets, then the solids, then the triangles, each with the distance found as its far end. A
+/// sheet or triangle that cannot be told from a transition of the solids stands before it: a
+/// glass on a table of triangles has one surface with it, not two in doubtful order.
 class World {
  public:
   struct Parts {
-    std::vector<PlacedSolid> solids;
+    SolidScene::Parts solids;
     std::vector<Sheet> sheets;
     std::vector<MeshPlacement> meshes;
   };
@@ -38,6 +44,8 @@ class World {
   World(Parts parts, ThreadPool& pool);
 
   /// The nearest surface at 0 < t < ray.t_max; kind none when there is none.
+  ///
+  /// Solids have a surface where the medium changes (`Region::medium`).
   Hit nearest(const Ray& ray) const;
   /// Whether any surface lies at 0 < t < ray.t_max.
   bool occluded(const Ray& ray) const;
@@ -52,21 +60,21 @@ class World {
 
   /// Of everything bounded; empty when nothing is.
   Box3d bounds() const { return bounds_; }
-  const std::vector<PlacedSolid>& solids() const { return parts_.solids; }
-  const std::vector<Sheet>& sheets() const { return parts_.sheets; }
+  const SolidScene& solids() const { return solids_; }
+  const std::vector<Sheet>& sheets() const { return stated_sheets_; }
   const TriangleScene& triangles() const { return triangles_; }
 
  private:
-  /// Solids come first, then sheets, in one numbering that the hierarchy holds.
-  bool test_item(std::uint32_t item, const Ray& ray, Hit& hit) const;
+  void nearest_sheet(const Ray& ray, Hit& hit) const;
+  void nearest_triangle(const Ray& ray, Hit& hit) const;
+  std::optional<Event> meet_sheet(std::uint32_t sheet, const Ray& ray) const;
   Surface triangle_surface(const Ray& ray, const Hit& hit) const;
   SurfaceUv triangle_uv(const Hit& hit) const;
 
-  Parts parts_;
-  std::vector<PreparedSheet> sheets_;     ///< of `parts_.sheets`, ready for lines
-  std::vector<std::uint32_t> bounded_;    ///< items of the hierarchy
-  std::vector<std::uint32_t> unbounded_;  ///< items tested by every ray
-  Bvh bvh_;
+  SolidScene solids_;
+  std::vector<Sheet> stated_sheets_;
+  std::vector<PreparedSheet> sheets_;
+  Bvh sheet_bvh_;
   TriangleScene triangles_;
   Box3d bounds_;
 };

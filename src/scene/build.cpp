@@ -73,8 +73,15 @@ void Builder::add(const Leaf& leaf) {
 }
 
 void Builder::add_solid(const Leaf& leaf, const geometry::Solid& solid) {
-  const geometry::PlacedSolid& placed = world_.solids.emplace_back(solid, leaf.world_from_object);
-  parts_.solid_slots.push_back(static_cast<std::uint32_t>(parts_.slots.size()));
+  const geometry::PlacedSolid placed(solid, leaf.world_from_object);
+  geometry::Region region;
+  region.root = world_.solids.expression.add(placed);
+  region.tag = static_cast<std::uint32_t>(parts_.slots.size());
+  region.medium = region.tag + 1;
+  if (std::holds_alternative<description::Glass>(leaf.material->model)) {
+    region.opacity = geometry::Opacity::transparent;
+  }
+  world_.solids.regions.push_back(region);
   Slot& slot = add_slot(leaf.material);
   if (const auto* emission = emission_of(*leaf.material)) {
     add_light(slot, lights_.solid(placed, *emission, leaf.object.where));

@@ -20,7 +20,7 @@ Scene::Scene(Parts parts) : parts_(std::move(parts)) {
 const Slot& Scene::slot(const geometry::Hit& hit) const {
   switch (hit.kind) {
     case geometry::SurfaceKind::solid:
-      return parts_.slots[parts_.solid_slots[hit.index]];
+      return parts_.slots[hit.tag];
     case geometry::SurfaceKind::sheet:
       return parts_.slots[parts_.sheet_slots[hit.index]];
     case geometry::SurfaceKind::triangle:
@@ -39,7 +39,7 @@ double Scene::size() const {
 }
 
 SceneCounts Scene::counts() const {
-  return {parts_.objects.size(), parts_.world.solids().size(),
+  return {parts_.objects.size(), parts_.world.solids().leaf_count(),
           parts_.world.triangles().triangle_count(), parts_.lights.size()};
 }
 

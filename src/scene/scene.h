@@ -53,8 +53,8 @@ class Scene {
     std::vector<ObjectInfo> objects;
     std::vector<PreparedMaterial> materials;
     std::vector<Slot> slots;
-    /// First slot of each solid, sheet and mesh placement of the world.
-    std::vector<std::uint32_t> solid_slots, sheet_slots, mesh_slots;
+    /// First slot of each sheet and mesh placement of the world; of solids tags are slots.
+    std::vector<std::uint32_t> sheet_slots, mesh_slots;
     std::vector<light::Light> lights;
   };
 

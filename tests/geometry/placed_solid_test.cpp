@@ -81,12 +81,12 @@ Line own_line(const Solid& solid, Random& random) {
 
 /// Distances that roundings are relative to, in the solid's own space: also those of the world,
 /// brought back.
-double own_scale(const PlacedSolid& placed, const Line& world, const exact::ExactLine& own) {
+double own_scale(const Solid& solid, const Transform& map, const Line& world,
+                 const exact::ExactLine& own) {
   const Vec3d origin{exact::as_double(own.origin.x), exact::as_double(own.origin.y),
                      exact::as_double(own.origin.z)};
-  const Transform& map = placed.world_from_solid();
   const double back = frobenius_norm(map.inverse().linear());
-  return exact::distance_scale(placed.solid(), {origin, {}}) +
+  return exact::distance_scale(solid, {origin, {}}) +
          back * (length(world.origin) + length(map.offset()));
 }
 
@@ -96,15 +96,16 @@ exact::Tally compare(std::size_t kind) {
   exact::Tally tally;
   EventBuffer events;
   for (int i = 0; i < lines; ++i) {
-    const PlacedSolid placed(random_solid(kind, random), placement(random));
-    const Transform& map = placed.world_from_solid();
-    const Line own = own_line(placed.solid(), random);
+    const Solid solid = random_solid(kind, random);
+    const Transform map = placement(random);
+    const PlacedSolid placed(solid, map);
+    const Line own = own_line(solid, random);
     const Line line{map.point(own.origin), map.vector(own.direction)};
     intervals(placed, line, events);
     const exact::ExactLine exact_own = exact::before(map, line);
     const double condition =
         frobenius_norm(map.linear()) * frobenius_norm(map.inverse().linear()) / 3;
-    const exact::Case c{placed.solid(), line, exact_own, own_scale(placed, line, exact_own),
+    const exact::Case c{solid, line, exact_own, own_scale(solid, map, line, exact_own),
                         1024 * condition * unit_roundoff};
     const auto result = exact::check(c, events, tally);
     EXPECT_TRUE(result) << "line " << i << " space " << static_cast<int>(placed.space());
@@ -186,7 +187,7 @@ TEST(PlacedSolid, NormalsPointOut) {
     if (step < 1e-10 * length(b.p)) return;
     // Thin shapes curve away within a step: look across the surface in own space.
     const Vec3d across = placed.world_from_solid().vector(
-        outward_normal(placed.solid(), b.patch, placed.own_point(b.p)));
+        outward_normal(placed.solid(), b.patch, placed.own_space() ? placed.own_space()->point(b.p) : b.p));
     const double own_step = step / length(across);
     ASSERT_TRUE(contains(placed, b.p - across * own_step));
     ASSERT_FALSE(contains(placed, b.p + across * own_step));

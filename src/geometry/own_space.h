@@ -1,0 +1,54 @@
+#pragma once
+
+#include "geometry/interval_events.h"
+#include "math/transform.h"
+
+namespace lapidary::geometry {
+
+inline double one_norm(Vec3d v) {
+  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+/// The coordinates in which something was made that stands in the world under an affine map, and
+/// the way there for lines. Their direction is not normalised, so t stays that of the world; what
+/// rounding does to them on the way is stated in the line.
+class OwnSpace {
+ public:
+  explicit OwnSpace(const Transform& world_from_own);
+
+  const Transform& world_from_own() const { return world_from_own_; }
+
+  Line line(const Line& world) const {
+    const Vec3d from_offset = world.origin - offset_;
+    return {own_from_world_ * from_offset, own_from_world_ * world.direction,
+            mapping_error_ * one_norm(from_offset) + gain_ * world.origin_error,
+            mapping_error_ * one_norm(world.direction) + gain_ * world.direction_error};
+  }
+  Vec3d point(Vec3d world) const { return own_from_world_ * (world - offset_); }
+  /// Of a covector of the world; not normalised.
+  Vec3d normal(Vec3d world) const;
+  /// Of a covector of this space, in the world; not normalised.
+  Vec3d world_normal(Vec3d own) const {
+    return own_from_world_.row[0] * own.x + own_from_world_.row[1] * own.y +
+           own_from_world_.row[2] * own.z;
+  }
+
+  const Mat3& own_from_world() const { return own_from_world_; }
+  const Vec3d& offset() const { return offset_; }
+
+ private:
+  Mat3 own_from_world_;
+  Vec3d offset_;
+  double mapping_error_;  ///< error of own_from_world_ * v as a multiple of |v|_1
+  double gain_;           ///< bounds how much own_from_world_ lengthens a vector
+  Transform world_from_own_;
+};
+
+double frobenius_norm(const Mat3& m);
+Mat3 magnitudes(const Mat3& m);
+/// Bounds on the entries of a b - identity, with the rounding of computing it.
+Mat3 residual_bound(const Mat3& a, const Mat3& b);
+/// Bounds, entry by entry, on the error of g * v relative to the exact inverse of m.
+Mat3 inverse_error(const Mat3& g, const Mat3& m);
+
+}  // namespace lapidary::geometry

@@ -1,0 +1,113 @@
+#include "geometry/solid_scene.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace lapidary::geometry {
+namespace {
+
+using Term = Expression::Term;
+
+Box3d world_box(const Box3d& own, const Transform& map) {
+  if (own.empty() || !own.bounded()) return own.empty() ? own : Box3d::all();
+  // Each term that the corners are sums of is at most this, and has a few roundings.
+  const Mat3& m = map.linear();
+  const Vec3d reach = max(abs(own.min), abs(own.max));
+  Vec3d slack;
+  for (std::size_t i = 0; i < 3; ++i) {
+    slack[i] = 16 * rounding_unit * (dot(abs(m.row[i]), reach) + std::abs(map.offset()[i]));
+  }
+  const Box3d box = map.box(own);
+  return {box.min - slack, box.max + slack};
+}
+
+double reach_of(const Box3d& box) {
+  if (!box.bounded()) return box.empty() ? 0.0 : infinity;
+  return length(max(abs(box.min), abs(box.max)));
+}
+
+}  // namespace
+
+SolidScene::SolidScene(Parts parts) : regions_(std::move(parts.regions)) {
+  for (Assembly& assembly : parts.assemblies) {
+    assemblies_.emplace_back(std::move(assembly.expression), std::span(&assembly.root, 1));
+  }
+  std::vector<Term> roots;
+  std::vector<Box3d> guests;
+  region_bounds_.resize(regions_.size());
+  for (std::uint32_t i = 0; i < regions_.size(); ++i) {
+    if (const auto* root = std::get_if<Term>(&regions_[i].root)) {
+      roots.push_back(*root);
+      root_regions_.push_back(i);
+      continue;
+    }
+    const auto& instance = std::get<Instance>(regions_[i].root);
+    const Box3d& own = assemblies_[instance.assembly].bounds(0);
+    places_.push_back(
+        {i, instance.assembly, OwnSpace(instance.world_from_assembly), reach_of(own)});
+    region_bounds_[i] = world_box(own, instance.world_from_assembly);
+    guests.push_back(region_bounds_[i]);
+    if (assemblies_[instance.assembly].tree().roots_at_rest()[0]) at_rest_.push_back(i);
+  }
+  world_ = Compound(std::move(parts.expression), roots, guests);
+  for (std::size_t root = 0; root < roots.size(); ++root) {
+    const std::uint32_t region = root_regions_[root];
+    region_bounds_[region] = world_.bounds(root);
+    if (world_.tree().roots_at_rest()[root]) at_rest_.push_back(region);
+  }
+  for (const Box3d& box : region_bounds_) {
+    if (box.bounded()) bounded_part_.extend(box);
+  }
+  rank_regions();
+}
+
+void SolidScene::rank_regions() {
+  std::vector<std::uint32_t> order(regions_.size());
+  std::iota(order.begin(), order.end(), 0u);
+  // From the least: of equals the last stated comes first.
+  std::reverse(order.begin(), order.end());
+  std::stable_sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
+    const Region &ra = regions_[a], &rb = regions_[b];
+    if (ra.priority != rb.priority) return ra.priority < rb.priority;
+    return ra.opacity < rb.opacity;
+  });
+  ranks_.resize(order.size());
+  for (std::uint32_t rank = 0; rank < order.size(); ++rank) ranks_[order[rank]] = rank;
+}
+
+Box3d SolidScene::bounds(std::uint32_t region) const {
+  return region_bounds_[region];
+}
+
+Vec3d SolidScene::outward_normal(std::uint32_t place, std::uint32_t leaf, Patch patch,
+                                 Vec3d p) const {
+  const PlacedSolid& solid = compound(place).leaf(leaf).solid;
+  if (place == 0) return geometry::outward_normal(solid, patch, p);
+  const OwnSpace& space = places_[place - 1].space;
+  return normalize(space.world_normal(geometry::outward_normal(solid, patch, space.point(p))));
+}
+
+SurfaceUv SolidScene::surface_uv(std::uint32_t place, std::uint32_t leaf, Patch patch,
+                                 Vec3d p) const {
+  const PlacedSolid& solid = compound(place).leaf(leaf).solid;
+  if (place == 0) return geometry::surface_uv(solid, patch, p);
+  const OwnSpace& space = places_[place - 1].space;
+  const SurfaceUv own = geometry::surface_uv(solid, patch, space.point(p));
+  const Mat3& m = space.world_from_own().linear();
+  return {own.uv, m * own.dpdu, m * own.dpdv};
+}
+
+std::size_t SolidScene::leaf_count() const {
+  std::size_t count = world_.leaves().size();
+  for (const Place& place : places_) count += assemblies_[place.assembly].leaves().size();
+  return count;
+}
+
+std::size_t SolidScene::bytes() const {
+  std::size_t bytes = world_.bytes() + places_.size() * sizeof(Place) +
+                      regions_.size() * (sizeof(Region) + sizeof(Box3d) + 2 * sizeof(std::uint32_t));
+  for (const Compound& compound : assemblies_) bytes += compound.bytes();
+  return bytes;
+}
+
+}  // namespace lapidary::geometry

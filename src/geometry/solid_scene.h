@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geometry/compound.h"
+
+namespace lapidary::geometry {
+
+/// All solids of a world, ready for sweeps, immutable and shared by all threads.
+///
+/// Bodies that stand in one place share one compound; what stands in several is an assembly, a
+/// compound of its own, whose instances are guests of the world's hierarchy.
+class SolidScene {
+ public:
+  static constexpr std::uint32_t no_region = ~0u;
+
+  struct Parts {
+    Expression expression;
+    std::vector<Assembly> assemblies;
+    std::vector<Region> regions;
+  };
+
+  /// Where an instance stands, with what lines need on their way into its own coordinates.
+  struct Place {
+    std::uint32_t region = 0;
+    std::uint32_t assembly = 0;
+    OwnSpace space;
+    double reach = 0;  ///< radius about the origin of its own coordinates; infinite if unbounded
+  };
+
+  SolidScene() = default;
+  explicit SolidScene(Parts parts);
+
+  const Compound& world() const { return world_; }
+  const std::vector<Compound>& assemblies() const { return assemblies_; }
+  const std::vector<Place>& places() const { return places_; }
+
+  std::size_t region_count() const { return regions_.size(); }
+  const Region& region(std::uint32_t index) const { return regions_[index]; }
+  /// Of regions that share a point the one of the greatest rank fills it. All ranks differ.
+  std::uint32_t rank(std::uint32_t region) const { return ranks_[region]; }
+  /// 0 for `no_region`.
+  std::uint32_t medium(std::uint32_t region) const {
+    return region == no_region ? 0 : regions_[region].medium;
+  }
+  /// The region whose root is the world compound's root `root`.
+  std::uint32_t region_of_root(std::uint32_t root) const { return root_regions_[root]; }
+  /// Regions that far away from everything are inside: complements.
+  const std::vector<std::uint32_t>& regions_at_rest() const { return at_rest_; }
+  /// Of a region; may be infinite or empty.
+  Box3d bounds(std::uint32_t region) const;
+  /// Of everything that is bounded.
+  const Box3d& bounded_part() const { return bounded_part_; }
+
+  const Compound& compound(std::uint32_t place_number) const {
+    return place_number == 0 ? world_ : assemblies_[places_[place_number - 1].assembly];
+  }
+  /// Of a leaf of the compound that stands at `place`, at the world point p of its boundary: unit
+  /// length, out of the leaf.
+  Vec3d outward_normal(std::uint32_t place, std::uint32_t leaf, Patch patch, Vec3d p) const;
+  SurfaceUv surface_uv(std::uint32_t place, std::uint32_t leaf, Patch patch, Vec3d p) const;
+
+  std::size_t leaf_count() const;  ///< instanced ones each time they appear
+  std::size_t bytes() const;
+
+ private:
+  void rank_regions();
+
+  std::vector<Region> regions_;
+  std::vector<std::uint32_t> ranks_, root_regions_, at_rest_;
+  std::vector<Compound> assemblies_;
+  std::vector<Place> places_;
+  Compound world_;
+  std::vector<Box3d> region_bounds_;
+  Box3d bounded_part_;
+};
+
+}  // namespace lapidary::geometry

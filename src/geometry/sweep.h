@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "geometry/ray.h"
+#include "geometry/solid_scene.h"
+
+namespace lapidary::geometry {
+
+/// Where one medium ends along a ray and another begins.
+struct Transition {
+  double t = 0;
+  double tau = 0;                ///< |t - exact t| <= tau
+  std::uint32_t before = 0;      ///< the region that fills the ray's way there, or no_region
+  std::uint32_t after = 0;       ///< and the one behind
+  std::uint32_t surface_of = 0;  ///< that of the two whose boundary this is
+  SurfaceTag tag = 0;            ///< what it wears
+
+  // The leaf whose surface it is.
+  std::uint32_t place = 0;  ///< 0: of the world's compound; n: of the instance `places()[n - 1]`
+  std::uint32_t leaf = 0;
+  Patch patch = 0;
+  Crossing crossing = Crossing::enter;  ///< of the leaf as it stands, without its sign
+  bool is_complement = false;           ///< the region is on the outside of the leaf here
+};
+
+/// A walk along a ray through all solids of a scene, from one transition to the next.
+///
+/// One queue holds boxes by entry and events of leaves by the lower end of their error interval. A
+/// leaf is met on its full line when its box comes up. Events whose intervals overlap form one
+/// group: the trees are evaluated before and after the whole group, and only a change of the
+/// medium is a surface, so that coincident faces leave no skin. A group is final when the queue
+/// holds nothing that could still belong to it. See /docs/csg.md.
+///
+/// Cost grows with the boxes that the ray meets before it stops. Memory comes from a pool of the
+/// thread and is reused. Throws nothing.
+class Sweep {
+ public:
+  /// Transitions at 0 < t < ray.t_max; `scene` must outlive the sweep. What the ray starts on is
+  /// past, and so is whatever coincides with it.
+  Sweep(const SolidScene& scene, const Ray& ray);
+  ~Sweep();
+  Sweep(const Sweep&) = delete;
+  Sweep& operator=(const Sweep&) = delete;
+
+  std::optional<Transition> next();
+  /// The region that the ray is in: behind the transition found last, or where it starts.
+  std::uint32_t region();
+  /// Groups that were cut short because rounding chained them without end.
+  std::uint64_t cut_groups() const { return cut_groups_; }
+
+ private:
+  struct Scratch;
+  struct Entry;
+  struct Member;
+  class ScratchPool;
+
+  bool collect_group();
+  void open(const Entry& entry);
+  void open_place(std::uint32_t item);
+  void open_leaf(std::uint32_t slot, std::uint32_t leaf, double key);
+  bool is_past(std::size_t event, std::size_t start, std::uint32_t slot, std::uint32_t leaf,
+               double key) const;
+  std::size_t starting_event(std::uint32_t slot, std::uint32_t leaf) const;
+  bool lies_on_start(std::uint32_t slot, std::uint32_t leaf, std::size_t event) const;
+  void push_event(std::uint32_t index);
+  void feed_leaf(std::uint32_t slot, std::uint32_t leaf, bool inside);
+  void feed(std::uint32_t slot, BooleanTree::Link link, bool value);
+  void toggle_region(std::uint32_t region, bool inside);
+  void apply_group();
+  std::optional<Transition> transition(std::uint32_t before, std::uint32_t after);
+  bool causes(const Member& member, std::uint32_t region, bool enters, bool* complement) const;
+  bool path_changed(std::uint32_t slot, BooleanTree::Link link, std::uint32_t region,
+                    bool value) const;
+
+  const SolidScene& scene_;
+  Ray ray_;
+  std::unique_ptr<Scratch> s_;
+  double upper_ = 0;  ///< of the error intervals of the group
+  std::uint64_t cut_groups_ = 0;
+};
+
+/// The region that fills a point; `no_region` for the surroundings.
+std::uint32_t region_at(const SolidScene& scene, Vec3d point);
+
+}  // namespace lapidary::geometry
