@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/content_order.h"
+#include "geometry/sweep_queue.h"
 
 namespace lapidary::geometry {
 
@@ -59,43 +60,15 @@ struct Sweep::Scratch {
   std::uint64_t query = 0;
   std::uint32_t group_number = 0;
   std::uint32_t node_count = 0;
-  std::vector<Entry> queue;  ///< a binary heap, least key first
+  SweepQueue<Entry> queue;
   std::vector<Member> events, group;
   std::vector<Slot> slots;
   std::vector<NodeState> nodes;
   std::vector<std::uint32_t> inside;  ///< regions that the sweep is inside of, in no order
   std::vector<Toggle> toggles;        ///< regions that the group has touched
   std::vector<Feed> feeds;
+  std::vector<Link> path;
   EventBuffer buffer;
-
-  void push(const Entry& e) {
-    queue.push_back(e);
-    std::size_t i = queue.size() - 1;
-    while (i > 0) {
-      const std::size_t parent = (i - 1) / 2;
-      if (queue[parent].key <= e.key) break;
-      queue[i] = queue[parent];
-      i = parent;
-    }
-    queue[i] = e;
-  }
-
-  Entry pop() {
-    const Entry top = queue.front();
-    const Entry last = queue.back();
-    queue.pop_back();
-    const std::size_t n = queue.size();
-    if (n == 0) return top;
-    std::size_t i = 0;
-    for (std::size_t child = 1; child < n; child = 2 * i + 1) {
-      if (child + 1 < n && queue[child + 1].key < queue[child].key) ++child;
-      if (last.key <= queue[child].key) break;
-      queue[i] = queue[child];
-      i = child;
-    }
-    queue[i] = last;
-    return top;
-  }
 
   void open_slot(const Compound& compound, std::uint32_t place, const Line& line,
                  double displacement) {
@@ -157,7 +130,7 @@ Sweep::Sweep(const SolidScene& scene, const Ray& ray)
       open_place(item - static_cast<std::uint32_t>(world.leaves().size()));
     }
   }
-  if (!world.bvh().empty()) s_->push({0.0, 0, world.bvh().root().bits()});
+  if (!world.bvh().empty()) s_->queue.push({0.0, 0, world.bvh().root().bits()});
 }
 
 Sweep::~Sweep() {
@@ -173,11 +146,11 @@ bool Sweep::collect_group() {
   upper_ = -infinity;
   double widest_tau = 0.0, first_t = 0.0;
   while (!s_->queue.empty()) {
-    const Entry next = s_->queue.front();
+    const Entry next = s_->queue.top();
     if (!s_->group.empty() && next.key > upper_) break;
     if (next.key > ray_.t_max) break;
     if (!next.is_event()) {
-      s_->pop();
+      s_->queue.pop();
       open(next);
       continue;
     }
@@ -188,7 +161,7 @@ bool Sweep::collect_group() {
       ++cut_groups_;
       break;
     }
-    s_->pop();
+    s_->queue.pop();
     widest_tau = std::max(widest_tau, event.tau);
     upper_ = std::max(upper_, event.t + event.tau);
     s_->group.push_back(event);
@@ -199,7 +172,7 @@ bool Sweep::collect_group() {
 
 void Sweep::push_event(std::uint32_t index) {
   const Member& event = s_->events[index];
-  s_->push({event.t - event.tau, event.slot | Entry::event_bit, index});
+  s_->queue.push({event.t - event.tau, event.slot | Entry::event_bit, index});
 }
 
 void Sweep::open(const Entry& entry) {
@@ -208,7 +181,7 @@ void Sweep::open(const Entry& entry) {
   const Bvh::Ref ref = Bvh::Ref::from_bits(entry.what);
   if (!ref.is_item()) {
     compound.bvh().expand(ref, slot.slabs, ray_.t_max, [&](float t, Bvh::Ref child) {
-      s_->push({static_cast<double>(t), entry.where, child.bits()});
+      s_->queue.push({static_cast<double>(t), entry.where, child.bits()});
     });
     return;
   }
@@ -228,7 +201,7 @@ void Sweep::open_place(std::uint32_t index) {
   s_->open_slot(compound, index + 1, line, displacement);
   const auto slot = static_cast<std::uint32_t>(s_->slots.size() - 1);
   for (const std::uint32_t leaf : compound.unbounded()) open_leaf(slot, leaf, 0.0);
-  if (!compound.bvh().empty()) s_->push({0.0, slot, compound.bvh().root().bits()});
+  if (!compound.bvh().empty()) s_->queue.push({0.0, slot, compound.bvh().root().bits()});
 }
 
 /// The event of the buffer that the ray starts on; the buffer's size when there is none.
@@ -368,7 +341,8 @@ std::optional<Transition> Sweep::next() {
 bool Sweep::path_changed(std::uint32_t slot, Link link, std::uint32_t region, bool value) const {
   const Scratch::Slot& at = s_->slots[slot];
   const BooleanTree& tree = at.compound->tree();
-  std::vector<Link> open{link};
+  std::vector<Link>& open = s_->path;
+  open.assign(1, link);
   while (!open.empty()) {
     link = open.back();
     open.pop_back();
@@ -393,11 +367,16 @@ bool Sweep::path_changed(std::uint32_t slot, Link link, std::uint32_t region, bo
 bool Sweep::causes(const Member& member, std::uint32_t region, bool enters,
                    bool* complement) const {
   const bool inside = member.crossing == Crossing::enter;
+  const auto links = s_->slots[member.slot].compound->tree().leaf_links(member.leaf);
+  if (s_->group.size() == 1 && links.size() == 1) {
+    *complement = links[0].is_complement();
+    return true;
+  }
   const auto events = std::count_if(s_->group.begin(), s_->group.end(), [&](const Member& m) {
     return m.slot == member.slot && m.leaf == member.leaf;
   });
   if (events % 2 == 0) return false;  // in and out again
-  for (const Link link : s_->slots[member.slot].compound->tree().leaf_links(member.leaf)) {
+  for (const Link link : links) {
     if ((inside != link.is_complement()) != enters) continue;
     if (!path_changed(member.slot, link, region, enters)) continue;
     *complement = link.is_complement();
