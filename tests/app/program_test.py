@@ -90,8 +90,20 @@ class Help(ProgramTest):
     def test_explains_a_node_and_a_verb(self):
         self.assertIn("radius", self.succeed("help", "sphere").stdout)
         self.assertIn("--samples", self.succeed("help", "render").stdout)
-        self.assertEqual(self.succeed("help", "render").stdout,
-                         self.succeed("render", "--help").stdout)
+        self.assertEqual(self.succeed("help", "check").stdout,
+                         self.succeed("check", "--help").stdout)
+
+    def test_explains_the_verb_and_the_node_of_one_name(self):
+        text = self.succeed("help", "render").stdout
+        self.assertTrue(text.startswith(self.succeed("render", "--help").stdout))
+        self.assertIn("filter_radius", text)
+        self.assertIn("max_depth", text)
+
+    def test_fits_a_terminal(self):
+        for topic in ((), ("metal",), ("distant_light",), ("mesh",)):
+            for line in self.succeed("help", *topic).stdout.splitlines():
+                if not line.startswith("    "):  # examples stay whole
+                    self.assertLessEqual(len(line), 80, line)
 
     def test_suggests_a_node(self):
         self.assertIn("sphere", self.fail_with(2, "help", "spere"))
