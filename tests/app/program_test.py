@@ -311,15 +311,17 @@ class Interrupt(ProgramTest):
     def test_ends_with_the_picture_so_far(self):
         self.write("ball.lua", BALL)
         program = self.start("render", "ball.lua", "--samples", "16000000", "--progress", "json",
-                             "--stats", "s.json")
+                             "--stats", "s.json", "--threads", "2")
         self.addCleanup(program.kill)
         program.stderr.readline()  # the first block is done
         program.send_signal(signal.SIGINT)
-        program.communicate(timeout=60)
+        errors = program.communicate(timeout=60)[1]
         self.assertEqual(program.returncode, 4)
+        self.assertTrue(errors.endswith(", interrupted\n"), errors)
         self.assertEqual(png_size(self.folder / "ball.png"), (24, 16))
         stats = json.loads((self.folder / "s.json").read_text())
         self.assertEqual(stats["ended"], "interrupted")
+        self.assertEqual(stats["threads"], 2)
         self.assertGreater(stats["samples_per_pixel"], 0)
 
     def test_asked_twice_it_ends_at_once(self):
