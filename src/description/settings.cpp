@@ -109,7 +109,8 @@ Declaration<RenderSettings> declare_render() {
        "size", &R::size,
        {.doc = "The picture's sides.", .unit = Unit::pixels, .range = {.min = 1, .max = 65536}})
       .parameter("samples", &R::samples,
-                 {.doc = "Samples of each pixel; 256 when nothing says when to stop.", .range = {.min = 1, .max = 1 << 24}})
+                 {.doc = "Samples of each pixel; 256 when nothing says when to stop.",
+                  .range = {.min = 1, .max = 1 << 24}})
       .parameter("time", &R::time,
                  {.doc = "Wall time to spend.", .unit = Unit::seconds, .range = schema::positive})
       .parameter(
