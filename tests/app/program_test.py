@@ -289,18 +289,43 @@ class Check(ProgramTest):
     def test_says_what_is_there(self):
         self.write("ball.lua", BALL)
         text = self.succeed("check", "ball.lua").stdout
-        self.assertIn("2 objects", text)
+        self.assertIn("ball.lua: 1 object, 1 operand, 0 triangles, 1 light\n", text)
         self.assertIn("12.566", text)  # the unit sphere's area
         self.assertIn("4.1887", text)  # and its volume
+
+    def test_lists_lights_apart_from_objects(self):
+        self.write("scene.lua", "return scene { objects = { sphere {}, "
+                                "disk_light { center = {0, 0, 5}, at = {0, 0, 0}, power = 5, "
+                                "name = 'lamp' } }, lights = { environment {}, "
+                                "{ point_light { power = 3 } } } }")
+        text = self.succeed("check", "scene.lua").stdout
+        self.assertIn("1 object, 1 operand, 0 triangles, 3 lights\n", text)
+        objects, lights = text.split("light\n", 1)
+        self.assertNotIn("disk", objects)
+        self.assertRegex(lights, r"disk +3\.14159 +'lamp' \(scene\.lua:1\)\n")
+        self.assertRegex(lights, r"environment +- +environment \(scene\.lua:1\)\n")
+        self.assertRegex(lights, "point_light")
+        self.assertNotIn("sphere", lights)
 
     def test_finds_overlaps_and_open_meshes(self):
         self.write("open.obj", TETRAHEDRON.replace("f 3 1 4\n", ""))
         self.write("scene.lua", "return scene { objects = { sphere {}:name 'one', "
                                 "sphere { center = {1, 0, 0} }:name 'two', "
-                                "mesh { file = 'open.obj' } } }")
+                                "mesh { file = 'open.obj', name = 'sheet' }, "
+                                "mesh { file = 'open.obj', material = glass(1.5), "
+                                "name = 'vessel' } } }")
         text = self.succeed("check", "scene.lua").stdout
-        self.assertIn("3 open", text)
+        self.assertRegex(text, "mesh +3  3 open .*'sheet'")
+        problems = text.split("meshes to look at:\n")[1]
+        self.assertRegex(problems, "'vessel' .*: made of glass, but not closed: 3 open edges, one ")
+        self.assertNotIn("sheet", problems)
         self.assertRegex(text, "'one'.* and 'two'")
+
+    def test_what_the_scene_prints_stands_before_the_table(self):
+        self.write("ball.lua", "print('hello')  print('again')" + BALL)
+        done = subprocess.run([LAPIDARY, "check", "ball.lua"], cwd=self.folder, check=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.assertTrue(done.stdout.startswith("hello\nagain\nball.lua: 1 object"), done.stdout)
 
     def test_refuses_what_a_renderer_refuses(self):
         self.write("bad.lua", "return scene { objects = { sphere { radius = -1 } } }")
