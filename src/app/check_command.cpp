@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/load_scene.h"
 #include "app/messages.h"
+#include "inspect/averted_lights.h"
 #include "inspect/report.h"
 #include "scene/build.h"
 
@@ -159,6 +160,7 @@ ExitCode run(const CheckCommand& command) {
   std::fflush(stdout);
   // What a renderer would refuse, building the scene refuses.
   complete_scene(command.scene, description);
+  inspect::warn_about_averted_lights(description, warnings);
   scene::build(description, {description.render.size, pool, warnings});
   print_warnings(warnings.take());
   return ExitCode::done;

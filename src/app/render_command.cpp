@@ -14,6 +14,7 @@
 #include "image/file_format.h"
 #include "image/image_io.h"
 #include "image/output_file.h"
+#include "inspect/averted_lights.h"
 #include "render/render.h"
 #include "scene/build.h"
 
@@ -149,6 +150,7 @@ ExitCode run(const RenderCommand& command) {
   statistics.seconds.load = clock.lap();
 
   const scene::Scene scene = scene::build(description, {statistics.size, pool, warnings});
+  inspect::warn_about_averted_lights(description, warnings);
   statistics.scene = scene.counts();
   statistics.seconds.build = clock.lap();
   print_warnings(warnings.take());

@@ -327,6 +327,17 @@ class Check(ProgramTest):
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.assertTrue(done.stdout.startswith("hello\nagain\nball.lua: 1 object"), done.stdout)
 
+    def test_warns_of_a_light_that_faces_away(self):
+        scene = ("return scene { objects = { sphere {}, plane { point = {0, 0, -1} } },\n"
+                 "lights = { rectangle_light { center = {0, 0, 4}, normal = {0, 0, %d}, "
+                 "power = 9 } }, render = { size = {4, 4}, samples = 1 } }")
+        self.write("up.lua", scene % 1)
+        self.write("down.lua", scene % -1)
+        for verb in ("check", "render"):
+            warning = self.succeed(verb, "up.lua").stderr.splitlines()[0]
+            self.assertTrue(warning.startswith("warning: up.lua:2: the light faces away"), warning)
+            self.assertNotIn("warning", self.succeed(verb, "down.lua").stderr)
+
     def test_refuses_what_a_renderer_refuses(self):
         self.write("bad.lua", "return scene { objects = { sphere { radius = -1 } } }")
         self.fail_with(3, "check", "bad.lua")
