@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <initializer_list>
 #include <string>
 
 #include <fmt/core.h>
@@ -6,12 +7,14 @@
 #include "app/commands.h"
 #include "app/load_scene.h"
 #include "app/messages.h"
+#include "inspect/averted_lights.h"
 #include "inspect/report.h"
 #include "scene/build.h"
 
 namespace lapidary::app {
 namespace {
 
+using inspect::Glow;
 using inspect::ObjectReport;
 using inspect::SceneReport;
 
@@ -22,10 +25,25 @@ std::string number_or(const std::optional<double>& value, const char* otherwise)
   return value ? fmt::format("{:.6g}", *value) : otherwise;
 }
 
-/// "'lid' (scene.lua:7)", as far as known.
+/// "1 object", "2 objects".
+std::string counted(std::size_t count, std::string_view thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+/// "name (scene.lua:7)", as far as known.
+std::string placed(const std::string& name, const Location& where) {
+  return where.file.empty() ? name : fmt::format("{} ({})", name, to_string(where));
+}
+
 std::string label(const ObjectReport& object) {
-  const std::string name = object.name.empty() ? object.kind : fmt::format("'{}'", object.name);
-  return object.where.file.empty() ? name : fmt::format("{} ({})", name, to_string(object.where));
+  return placed(object.name.empty() ? object.kind : fmt::format("'{}'", object.name), object.where);
+}
+
+/// Whether it has an inside, and of a mesh that has none, how many edges have one neighbour only.
+std::string closed_text(const ObjectReport& object) {
+  if (object.closed) return "yes";
+  const bool open_mesh = object.closure && object.closure->open_edges > 0;
+  return open_mesh ? fmt::format("{} open", object.closure->open_edges) : "no";
 }
 
 void print_more(std::size_t total) {
@@ -33,41 +51,79 @@ void print_more(std::size_t total) {
 }
 
 void print_objects(const SceneReport& report) {
-  fmt::print("\n  {:<11}{:>10}  {:<7}{:>12}{:>14}  {}\n", "kind", "triangles", "closed", "area",
+  if (report.objects == 0) return;
+  fmt::print("\n  {:<11}{:>10}  {:<12}{:>12}{:>14}  {}\n", "kind", "triangles", "closed", "area",
              "volume", "object");
-  for (std::size_t i = 0; i < std::min(report.objects.size(), longest_list); ++i) {
-    const ObjectReport& object = report.objects[i];
-    fmt::print("  {:<11}{:>10}  {:<7}{:>12}{:>14}  {}\n", object.kind, object.triangles,
-               object.closed ? "yes" : "no", number_or(object.measure.area, "infinite"),
+  std::size_t count = 0;
+  for (const ObjectReport& object : report.surfaces) {
+    if (object.worn.glow == Glow::whole || ++count > longest_list) continue;
+    fmt::print("  {:<11}{:>10}  {:<12}{:>12}{:>14}  {}\n", object.kind, object.triangles,
+               closed_text(object), number_or(object.measure.area, "infinite"),
                number_or(object.measure.volume, object.closed ? "infinite" : "-"), label(object));
   }
-  print_more(report.objects.size());
+  print_more(count);
+}
+
+void print_lights(const SceneReport& report) {
+  if (report.lights == 0) return;
+  fmt::print("\n  {:<13}{:>14}  {}\n", "kind", "area", "light");
+  std::size_t count = 0;
+  for (const ObjectReport& light : report.surfaces) {
+    if (light.worn.glow == Glow::none || ++count > longest_list) continue;
+    const bool whole = light.worn.glow == Glow::whole;
+    fmt::print("  {:<13}{:>14}  {}\n", light.kind,
+               whole ? number_or(light.measure.area, "infinite") : "a part", label(light));
+  }
+  for (const inspect::LightReport& light : report.lights_without_surface) {
+    if (++count > longest_list) continue;
+    fmt::print("  {:<13}{:>14}  {}\n", light.kind, "-", placed(light.kind, light.where));
+  }
+  print_more(count);
+}
+
+/// Joins what is not empty.
+std::string joined(std::initializer_list<std::string> parts) {
+  std::string text;
+  for (const std::string& part : parts) {
+    text += (text.empty() || part.empty() ? "" : "; ") + part;
+  }
+  return text;
+}
+
+/// What is wrong with the edges of a mesh, or empty. Being open is wrong for glass alone: other
+/// meshes may well be sheets.
+std::string edge_problem(const geometry::MeshClosure& closure, bool is_glass) {
+  const bool lacks_inside = is_glass && closure.open_edges > 0;
+  std::string problem =
+      joined({lacks_inside
+                  ? fmt::format("made of glass, but not closed: {} open edges", closure.open_edges)
+                  : "",
+              closure.misoriented_edges > 0
+                  ? fmt::format("{} wrongly turned edges", closure.misoriented_edges)
+                  : ""});
+  const bool example_is_one = lacks_inside || closure.open_edges == 0;
+  if (!problem.empty() && example_is_one && closure.example) {
+    const Vec3d p = *closure.example;
+    problem += fmt::format(", one near {:.4g}, {:.4g}, {:.4g} of the mesh", p.x, p.y, p.z);
+  }
+  return problem;
 }
 
 /// What is wrong with the surface of a mesh, or empty.
 std::string mesh_problem(const ObjectReport& object) {
   if (!object.closure) return "";
   const geometry::MeshClosure& closure = *object.closure;
-  std::string problem;
-  if (!closure.closed()) {
-    problem = fmt::format("{} open and {} wrongly turned edges", closure.open_edges,
-                          closure.misoriented_edges);
-    if (const auto& p = closure.example) {
-      problem += fmt::format(", one near {:.4g}, {:.4g}, {:.4g} of the mesh", p->x, p->y, p->z);
-    }
-  } else if (object.measure.volume.value_or(0) < 0) {
-    problem = "inside out: its triangles are clockwise seen from outside";
-  }
-  if (closure.degenerate_triangles > 0) {
-    problem += fmt::format("{}{} triangles without area", problem.empty() ? "" : "; ",
-                           closure.degenerate_triangles);
-  }
-  return problem;
+  const bool inside_out = closure.closed() && object.measure.volume.value_or(0) < 0;
+  return joined({edge_problem(closure, object.worn.glass),
+                 inside_out ? "inside out: its triangles are clockwise seen from outside" : "",
+                 closure.degenerate_triangles > 0
+                     ? fmt::format("{} triangles without area", closure.degenerate_triangles)
+                     : ""});
 }
 
 void print_mesh_problems(const SceneReport& report) {
   std::size_t count = 0;
-  for (const ObjectReport& object : report.objects) {
+  for (const ObjectReport& object : report.surfaces) {
     const std::string problem = mesh_problem(object);
     if (problem.empty()) continue;
     if (count == 0) fmt::print("\nmeshes to look at:\n");
@@ -80,8 +136,8 @@ void print_overlaps(const SceneReport& report) {
   const auto& [overlaps, complete] = report.overlaps;
   if (!overlaps.empty()) fmt::print("\nobjects that share a part of their insides:\n");
   for (std::size_t i = 0; i < std::min(overlaps.size(), longest_list); ++i) {
-    fmt::print("  {} and {}\n", label(report.objects[overlaps[i].first]),
-               label(report.objects[overlaps[i].second]));
+    fmt::print("  {} and {}\n", label(report.surfaces[overlaps[i].first]),
+               label(report.surfaces[overlaps[i].second]));
   }
   print_more(overlaps.size());
   if (!complete) fmt::print("  there are too many pairs to look at all of them\n");
@@ -94,14 +150,17 @@ ExitCode run(const CheckCommand& command) {
   WarningLog warnings;
   auto description = load_scene(command.scene, {}, warnings);
   const SceneReport report = inspect::inspect(description);
-  fmt::print("{}: {} objects, {} operands, {} triangles, {} lights\n", command.scene.file,
-             report.objects.size(), report.operands, report.triangles, report.lights);
+  fmt::print("{}: {}, {}, {}, {}\n", command.scene.file, counted(report.objects, "object"),
+             counted(report.operands, "operand"), counted(report.triangles, "triangle"),
+             counted(report.lights, "light"));
   print_objects(report);
+  print_lights(report);
   print_mesh_problems(report);
   print_overlaps(report);
   std::fflush(stdout);
   // What a renderer would refuse, building the scene refuses.
   complete_scene(command.scene, description);
+  inspect::warn_about_averted_lights(description, warnings);
   scene::build(description, {description.render.size, pool, warnings});
   print_warnings(warnings.take());
   return ExitCode::done;

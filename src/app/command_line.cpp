@@ -119,7 +119,7 @@ void add_setting(CLI::App& verb, const std::string& key, std::vector<Assignment>
 
 void add_settings(CLI::App& verb, std::vector<Assignment>& settings) {
   add_texts(
-      verb, "--render", "KEY=VALUE", "any key of the scene's render or film table",
+      verb, "--render", "KEY=VALUE", "any key of the scene's tables: see help render, help film",
       [&](const std::string& text) { settings.push_back(parse_assignment("--render", text)); });
   add_setting(verb, "size", settings, "WxH", "pixels of the picture");
   add_setting(verb, "samples", settings, "N", "stop after N samples per pixel");
@@ -269,8 +269,8 @@ std::string usage() {
   for (const Verb& verb : verbs()) text += fmt::format("  {:<10}{}\n", verb.name, verb.summary);
   text +=
       "\n`lapidary help VERB` lists the options of a verb.\n"
-      "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 the scene or a file is wrong,\n"
-      "4 interrupted, with the picture so far written.\n";
+      "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 the scene or a file is\n"
+      "wrong, 4 interrupted, with the picture so far written.\n";
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "app/commands.h"
+#include "app/terminal.h"
 #include "lua/load_scene.h"
 #include "schema/help.h"
 #include "schema/suggest.h"
@@ -21,22 +22,27 @@ UsageError unknown_topic(const std::string& topic, const std::vector<schema::Nod
                     suggestion.empty() ? "lapidary help lists what there is" : suggestion);
 }
 
+/// As wide as the terminal, within what is pleasant to read.
+std::size_t text_width() {
+  return static_cast<std::size_t>(std::clamp(Terminal(stdout).width(), 60, 100));
+}
+
 }  // namespace
 
 ExitCode run(const HelpCommand& command) {
   const std::vector<schema::NodeInfo> nodes = lua::node_infos();
   if (command.topic.empty()) {
-    fmt::print("{}\nThe nodes of scenes; `lapidary help NODE` explains one.\n\n{}", usage(),
-               schema::help_index(nodes));
+    fmt::print("{}\nThe words of scenes; `lapidary help WORD` explains one.\n\n{}", usage(),
+               schema::help_index(nodes, text_width()));
     return ExitCode::done;
   }
-  if (const auto text = help_of_verb(command.topic)) {
-    fmt::print("{}", *text);
-    return ExitCode::done;
-  }
+  const auto verb = help_of_verb(command.topic);
   const auto node = std::ranges::find(nodes, command.topic, &schema::NodeInfo::name);
-  if (node == nodes.end()) throw unknown_topic(command.topic, nodes);
-  fmt::print("{}", schema::help_text(*node));
+  if (!verb && node == nodes.end()) throw unknown_topic(command.topic, nodes);
+  if (verb) fmt::print("{}", *verb);
+  // `render` is a verb and a node.
+  if (verb && node != nodes.end()) fmt::print("In a scene:\n\n");
+  if (node != nodes.end()) fmt::print("{}", schema::help_text(*node, text_width()));
   return ExitCode::done;
 }
 

@@ -14,6 +14,7 @@
 #include "image/file_format.h"
 #include "image/image_io.h"
 #include "image/output_file.h"
+#include "inspect/averted_lights.h"
 #include "render/render.h"
 #include "scene/build.h"
 
@@ -121,10 +122,12 @@ void print_summary(const std::vector<std::string>& pictures, const RunStatistics
   if (std::isfinite(statistics.render.noise)) {
     noise = fmt::format(", noise {:.3g}", statistics.render.noise);
   }
+  const char* ending =
+      statistics.render.ending == render::Ending::interrupted ? ", interrupted" : "";
   for (const std::string& picture : pictures) {
-    fmt::print(stderr, "{}: {}x{}, {} samples per pixel, {}{}\n", picture, statistics.size.width,
+    fmt::print(stderr, "{}: {}x{}, {} samples per pixel, {}{}{}\n", picture, statistics.size.width,
                statistics.size.height, statistics.samples_per_pixel,
-               format_duration(statistics.seconds.render), noise);
+               format_duration(statistics.seconds.render), noise, ending);
   }
 }
 
@@ -138,6 +141,7 @@ ExitCode run(const RenderCommand& command) {
   RunStatistics statistics;
   WarningLog warnings;
   ThreadPool pool(command.threads);
+  statistics.threads = pool.threads();
   PhaseClock clock;
   auto description = load_scene(command.scene, command.settings, warnings);
   complete_scene(command.scene, description);
@@ -146,6 +150,7 @@ ExitCode run(const RenderCommand& command) {
   statistics.seconds.load = clock.lap();
 
   const scene::Scene scene = scene::build(description, {statistics.size, pool, warnings});
+  inspect::warn_about_averted_lights(description, warnings);
   statistics.scene = scene.counts();
   statistics.seconds.build = clock.lap();
   print_warnings(warnings.take());
@@ -161,7 +166,6 @@ ExitCode run(const RenderCommand& command) {
   statistics.render = render_watched(command, scene, description.render, film, pool);
   statistics.render_cpu_seconds = process_cpu_seconds() - cpu_seconds_before;
   statistics.samples_per_pixel = film.passes();
-  statistics.threads = pool.threads();
   statistics.seconds.render = clock.lap();
 
   const image::LayeredImage picture = film::develop(film);

@@ -88,7 +88,10 @@ NodeKind perspective() {
   using P = PerspectiveParameters;
   constexpr auto open = schema::Range::End::open;
   Declaration<P> d(
-      {.name = "perspective", .doc = "A camera as eyes and lenses see.", .section = section});
+      {.name = "perspective",
+       .doc = "A camera that sees as eyes and lenses do.",
+       .section = section,
+       .examples = {"perspective { from = { 4, -7, 4 }, at = { 0, 0, 1 }, fov = 30 }"}});
   declare_view(d)
       .parameter("fov", &P::fov,
                  {.doc = "How much the picture shows, from side to side along 'fov_axis'.",
@@ -113,9 +116,12 @@ NodeKind perspective() {
 
 NodeKind orthographic() {
   using O = OrthographicParameters;
-  Declaration<O> d({.name = "orthographic",
-                    .doc = "A camera for plans: parallel lines stay parallel.",
-                    .section = section});
+  Declaration<O> d(
+      {.name = "orthographic",
+       .doc = "A camera for plans: parallel lines stay parallel.",
+       .section = section,
+       .examples = {
+           "orthographic { from = { 0, 0, 9 }, at = { 0, 0, 0 }, up = { 0, 1, 0 }, size = 4 }"}});
   declare_view(d)
       .parameter("size", &O::size,
                  {.doc = "How much the picture shows, from side to side along 'fov_axis'.",

@@ -91,6 +91,20 @@ std::shared_ptr<const Spectrum> as_spectrum(const Value& value) {
 
 }  // namespace
 
+schema::NodeInfo color_info() {
+  return {
+      .name = "color",
+      .doc =
+          "What a parameter of type color takes: \"#rrggbb\", a CSS name, linear {r, g, b}, "
+          "a number (grey), or a spectrum. Light may exceed 1, a surface may not.",
+      .section = "values",
+      .examples = {"matte \"#c08040\"", "matte \"tomato\"", "matte { color = { 0.5, 0.2, 0.1 } }",
+                   "matte { color = 0.8 }",
+                   "matte { color = spectrum { from = 500, step = 100, values = { 0, 0.9 } } }"},
+      .form = schema::Form::other,
+      .parameters = {}};
+}
+
 Spectrum ReflectanceReader::read(const Value& value, const Context& context) {
   const auto spectrum = as_spectrum(value);
   if (!spectrum) return Spectrum::reflectance(read_rgb(value, context, schema::unit_interval));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "schema/node_info.h"
 #include "schema/reader.h"
 #include "spectrum/spectrum.h"
 
@@ -8,6 +9,9 @@ namespace lapidary::description {
 // A colour in a scene is "#rrggbb" or "#rgb" (sRGB), a CSS name, linear {r, g, b}, a number (grey),
 // or a spectrum { ... } or blackbody(kelvin). What it means depends on what it is for, so a
 // parameter names one of these readers.
+
+/// The above, for help.
+schema::NodeInfo color_info();
 
 /// The colour of a surface: a reflectance between 0 and 1.
 struct ReflectanceReader {

@@ -25,6 +25,20 @@ std::string_view name_of(Quantity quantity) {
   return "irradiance";
 }
 
+std::string_view meaning_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::radiance:
+      return "What every point gives in every direction; {1, 1, 1} shows as white";
+    case Quantity::power:
+      return "All the light it gives";
+    case Quantity::intensity:
+      return "What it gives in a direction";
+    case Quantity::irradiance:
+      break;
+  }
+  return "What a surface that faces it receives";
+}
+
 bool given(const EmissionParameters& e, Quantity quantity) {
   switch (quantity) {
     case Quantity::radiance:
@@ -50,6 +64,16 @@ Spectrum shape(const EmissionParameters& e, const Context& context) {
 }
 
 }  // namespace
+
+std::string strength_doc(Quantity quantity, std::initializer_list<Quantity> allowed) {
+  std::string text(meaning_of(quantity));
+  std::vector<std::string> others;
+  for (const Quantity other : allowed) {
+    if (other != quantity) others.push_back(fmt::format("'{}'", name_of(other)));
+  }
+  if (others.empty()) return text + "; must be given.";
+  return fmt::format("{}; this or {} must be given.", text, fmt::join(others, " or "));
+}
 
 Emission to_emission(const EmissionParameters& e, std::initializer_list<Quantity> allowed,
                      const Context& context) {

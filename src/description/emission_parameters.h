@@ -23,6 +23,9 @@ struct EmissionParameters {
 Emission to_emission(const EmissionParameters& e, std::initializer_list<Quantity> allowed,
                      const schema::Context& context);
 
+/// What help says about a strength where `allowed` are to choose from.
+std::string strength_doc(Quantity quantity, std::initializer_list<Quantity> allowed);
+
 /// Declares the strengths `allowed` and the colour of light for T, which derives from
 /// EmissionParameters.
 template <typename T>
@@ -35,23 +38,23 @@ schema::Declaration<T>& declare_emission(schema::Declaration<T>& d,
       case Quantity::radiance:
         d.template parameter<Optional<LightReader>>(
             "radiance", &E::radiance,
-            {.doc = "What every point gives in every direction; {1, 1, 1} shows as white.",
-             .unit = Unit::radiance});
+            {.doc = strength_doc(quantity, allowed), .unit = Unit::radiance});
         break;
       case Quantity::power:
-        d.parameter(
-            "power", &E::power,
-            {.doc = "All the light it gives.", .unit = Unit::watts, .range = schema::non_negative});
+        d.parameter("power", &E::power,
+                    {.doc = strength_doc(quantity, allowed),
+                     .unit = Unit::watts,
+                     .range = schema::non_negative});
         break;
       case Quantity::intensity:
         d.parameter("intensity", &E::intensity,
-                    {.doc = "What it gives in a direction, instead of 'power'.",
+                    {.doc = strength_doc(quantity, allowed),
                      .unit = Unit::intensity,
                      .range = schema::non_negative});
         break;
       case Quantity::irradiance:
         d.parameter("irradiance", &E::irradiance,
-                    {.doc = "What a surface that faces it receives.",
+                    {.doc = strength_doc(quantity, allowed),
                      .unit = Unit::irradiance,
                      .range = schema::non_negative});
         break;

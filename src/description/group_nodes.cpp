@@ -15,7 +15,9 @@ std::vector<schema::NodeKind> group_kinds() {
   schema::Declaration<Parameters> d(
       {.name = "group",
        .doc = "Objects that move and are named together; they keep what they wear.",
-       .section = "groups"});
+       .section = "groups",
+       .examples = {"group { sphere {}, box { size = { 1, 1, 3 } } }",
+                    "group { { sphere {}, sphere { center = { 3, 0, 0 } } }, name = \"pair\" }"}});
   d.parameter<ObjectListReader>("objects", &GroupParameters::objects,
                                 {.doc = "Its members.", .shorthand = schema::Shorthand::yes});
   return {node_kind(declare_object(d), [](Parameters&& g, const schema::Context& context) {

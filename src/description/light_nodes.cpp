@@ -59,7 +59,10 @@ Node light_node(Model model, const Context& context) {
 
 NodeKind sphere_light() {
   Declaration<LightOf<Sphere>> d(
-      {.name = "sphere_light", .doc = "A glowing ball.", .section = section});
+      {.name = "sphere_light",
+       .doc = "A glowing ball.",
+       .section = section,
+       .examples = {"sphere_light { center = { 0, 0, 4 }, radius = 0.5, power = 300 }"}});
   d.parameter("center", &Sphere::center, {.doc = "Its centre.", .unit = Unit::length})
       .parameter("radius", &Sphere::radius,
                  {.doc = "Distance from the centre to the surface.",
@@ -72,9 +75,11 @@ NodeKind sphere_light() {
 
 NodeKind rectangle_light() {
   using Parameters = LightOf<RectangleParameters>;
-  Declaration<Parameters> d({.name = "rectangle_light",
-                             .doc = "A flat panel that gives light from its front.",
-                             .section = section});
+  Declaration<Parameters> d(
+      {.name = "rectangle_light",
+       .doc = "A flat panel that gives light from its front; its back is black.",
+       .section = section,
+       .examples = {"rectangle_light { center = { 0, 0, 5 }, at = { 0, 0, 0 }, power = 400 }"}});
   return node_kind(declare_surface_light(declare_rectangle(d)),
                    [](Parameters&& r, const Context& context) {
                      return surface_light(Sheet(to_rectangle(r, context)), std::move(r), context);
@@ -83,9 +88,12 @@ NodeKind rectangle_light() {
 
 NodeKind disk_light() {
   using Parameters = LightOf<DiskParameters>;
-  Declaration<Parameters> d({.name = "disk_light",
-                             .doc = "A flat round panel that gives light from its front.",
-                             .section = section});
+  Declaration<Parameters> d(
+      {.name = "disk_light",
+       .doc = "A flat round panel that gives light from its front; its back is black.",
+       .section = section,
+       .examples = {"disk_light { center = { 0, 0, 5 }, at = { 0, 0, 0 }, radiance = 4, "
+                    "temperature = 3000 }"}});
   return node_kind(declare_surface_light(declare_disk(d)),
                    [](Parameters&& p, const Context& context) {
                      return surface_light(Sheet(to_disk(p, context)), std::move(p), context);
@@ -94,10 +102,12 @@ NodeKind disk_light() {
 
 NodeKind mesh_light() {
   using Parameters = LightOf<MeshLightParameters>;
-  Declaration<Parameters> d({.name = "mesh_light",
-                             .doc = "Any object, all of it giving light. Every part of a group "
-                                    "has the stated power.",
-                             .section = section});
+  Declaration<Parameters> d(
+      {.name = "mesh_light",
+       .doc = "Any object, all of it giving light. Every part of a group "
+              "has the stated power.",
+       .section = section,
+       .examples = {"mesh_light { shape = box { size = { 2, 0.1, 0.1 } }, power = 100 }"}});
   d.parameter("shape", &MeshLightParameters::shape,
               {.doc = "What gives the light.",
                .need = schema::Need::required,
@@ -115,7 +125,10 @@ struct PointParameters : EmissionParameters {
 
 NodeKind point_light() {
   Declaration<PointParameters> d(
-      {.name = "point_light", .doc = "Light from one point, all around.", .section = section});
+      {.name = "point_light",
+       .doc = "Light from one point, all around.",
+       .section = section,
+       .examples = {"point_light { position = { 0, -2, 4 }, power = 300 }"}});
   d.parameter("position", &PointParameters::position,
               {.doc = "Where it is.", .unit = Unit::length});
   return node_kind(declare_emission(d, point_strengths), [](PointParameters&& p,
@@ -128,7 +141,11 @@ struct SpotParameters : SpotLight, EmissionParameters {};
 
 NodeKind spot_light() {
   Declaration<SpotParameters> d(
-      {.name = "spot_light", .doc = "Light from one point within a cone.", .section = section});
+      {.name = "spot_light",
+       .doc = "Light from one point within a cone.",
+       .section = section,
+       .examples = {
+           "spot_light { from = { 0, -4, 6 }, at = { 0, 0, 0 }, angle = 30, power = 200 }"}});
   d.parameter("from", &SpotLight::from, {.doc = "Where it is.", .unit = Unit::length})
       .parameter("at", &SpotLight::at, {.doc = "A point it shines at.", .unit = Unit::length})
       .parameter("angle", &SpotLight::angle,
@@ -153,9 +170,11 @@ struct DistantParameters : EmissionParameters {
 };
 
 NodeKind distant_light() {
-  Declaration<DistantParameters> d({.name = "distant_light",
-                                    .doc = "Light from one direction everywhere, as from the sun.",
-                                    .section = section});
+  Declaration<DistantParameters> d(
+      {.name = "distant_light",
+       .doc = "Light from one direction everywhere, as from the sun.",
+       .section = section,
+       .examples = {"distant_light { direction = { 1, 0, -1 }, irradiance = 2 }"}});
   d.parameter("from", &DistantParameters::from,
               {.doc = "A point in the direction it comes from, seen from {0, 0, 0}; above when "
                       "left out."})
@@ -189,9 +208,11 @@ struct EnvironmentParameters {
 };
 
 NodeKind environment() {
-  Declaration<EnvironmentParameters> d({.name = "environment",
-                                        .doc = "Light from all around: a picture, or one color.",
-                                        .section = section});
+  Declaration<EnvironmentParameters> d(
+      {.name = "environment",
+       .doc = "Light from all around: a picture, or one color.",
+       .section = section,
+       .examples = {"environment \"sky.hdr\"", "environment { color = { 0.3, 0.4, 0.6 } }"}});
   d.parameter("file", &EnvironmentParameters::file,
               {.doc = "A picture of everything around, twice as wide as high; its top is +z, its "
                       "middle +y.",
@@ -216,10 +237,15 @@ NodeKind environment() {
 
 std::vector<NodeKind> light_kinds() {
   const NodeKind distant = distant_light();
-  return {sphere_light(), rectangle_light(),
-          disk_light(),   mesh_light(),
-          point_light(),  spot_light(),
-          distant,        alias(distant, "sun", "Another name for distant_light."),
+  return {sphere_light(),
+          rectangle_light(),
+          disk_light(),
+          mesh_light(),
+          point_light(),
+          spot_light(),
+          distant,
+          alias(distant, "sun", "Another name for distant_light.",
+                {"sun { from = { -2, -3, 4 }, angle = 0.53, irradiance = 3 }"}),
           environment()};
 }
 

@@ -87,8 +87,10 @@ Metal to_metal(const MetalParameters& m, const Context& context) {
 constexpr auto roughness_doc = "0 is polished, 1 is dull.";
 
 NodeKind matte() {
-  Declaration<Matte> d(
-      {.name = "matte", .doc = "Diffuse, like chalk or plaster.", .section = section});
+  Declaration<Matte> d({.name = "matte",
+                        .doc = "Diffuse, like chalk or plaster.",
+                        .section = section,
+                        .examples = {"matte \"#d8cfc0\"", "matte { color = { 0.7, 0.6, 0.5 } }"}});
   d.parameter<ReflectanceReader>("color", &Matte::color,
                                  {.doc = "Share of the light it gives back.",
                                   .shorthand = Shorthand::yes,
@@ -100,7 +102,11 @@ NodeKind matte() {
 
 NodeKind metal() {
   Declaration<MetalParameters> d(
-      {.name = "metal", .doc = "A conductor, from mirror to brushed.", .section = section});
+      {.name = "metal",
+       .doc = "A conductor, from mirror to brushed.",
+       .section = section,
+       .examples = {"metal \"gold\"", "metal { \"gold\", roughness = 0.1 }",
+                    "metal { color = \"#8c2f39\", roughness = 0.3 }"}});
   d.parameter<MetalIndexReader>(
        "ior", &MetalParameters::index,
        {.doc = fmt::format("A measured metal: {}.", fmt::join(metal_names(), ", ")),
@@ -119,7 +125,11 @@ NodeKind metal() {
 }
 
 NodeKind glass() {
-  Declaration<Glass> d({.name = "glass", .doc = "Clear: glass, water, gems.", .section = section});
+  Declaration<Glass> d(
+      {.name = "glass",
+       .doc = "Clear: glass, water, gems.",
+       .section = section,
+       .examples = {"glass \"N-BK7\"", "glass(1.5)", "glass { \"N-BK7\", roughness = 0.1 }"}});
   d.parameter<GlassIndexReader>(
        "ior", &Glass::index,
        {.doc = fmt::format("Index of refraction, or one of: {}.", fmt::join(glass_names(), ", ")),
@@ -137,7 +147,9 @@ NodeKind emissive() {
   Declaration<EmissionParameters> d(
       {.name = "emissive",
        .doc = "Gives light: from the outside of solids, from the front of sheets and meshes.",
-       .section = section});
+       .section = section,
+       .examples = {"emissive { radiance = 3, temperature = 2700 }",
+                    "emissive { power = 60, color = \"orange\" }"}});
   declare_emission(d, strengths);
   return node_kind(std::move(d), [](EmissionParameters&& e, const Context& context) {
     return material_node(Emissive{to_emission(e, strengths, context)}, context);

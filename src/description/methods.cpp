@@ -123,10 +123,11 @@ Method motion(schema::NodeInfo info, ReadMotion read) {
           }};
 }
 
-schema::NodeInfo info(std::string name, std::string doc) {
+schema::NodeInfo info(std::string name, std::string doc, std::vector<std::string> examples) {
   return {.name = std::move(name),
           .doc = std::move(doc),
           .section = "methods of objects",
+          .examples = std::move(examples),
           .form = schema::Form::method,
           .parameters = {}};
 }
@@ -143,25 +144,34 @@ ObjectPtr apply_material(const Object& object, const Value& argument, const sche
 
 std::vector<Method> object_methods() {
   return {
-      {info("material", "Wears a material; members of a group that wear one keep it."),
+      {info("material", "The object wearing a material; members of a group that wear one keep it.",
+            {"ball:material(glass \"N-BK7\")",
+             "ball:material(metal { \"gold\", roughness = 0.1 })"}),
        apply_material},
-      {info("name", "Has a name, for reports and layers."), apply_name},
-      motion(info("translate", "Moved by {x, y, z}; what is not named is 0."),
+      {info("name", "The object with a name, for reports and layers.", {"ball:name \"moon\""}),
+       apply_name},
+      motion(info("translate", "Moved by {x, y, z}; what is not named is 0.",
+                  {"ball:translate { 0, 0, 1.5 }", "ball:translate { z = 1.5 }"}),
              [](const Value& value, const Context& context) {
                return Transform::translation(Reader<Vec3d>::read(value, context));
              }),
       motion(info("rotate",
                   "Turned by degrees {x, y, z} about x, then y, then z through {0, 0, 0}; or "
-                  "{axis = {x, y, z}, angle = degrees}."),
+                  "{axis = {x, y, z}, angle = degrees}.",
+                  {"ball:rotate { z = 45 }", "ball:rotate { axis = { 1, 1, 1 }, angle = 120 }"}),
              read_rotation),
       motion(info("scale",
                   "Scaled about {0, 0, 0} by a number, or by {x, y, z}; what is not named "
-                  "is 1."),
+                  "is 1.",
+                  {"ball:scale(2)", "ball:scale { z = 0.5 }"}),
              read_scale),
-      motion(info("mirror", "Mirrored in the plane through {0, 0, 0} with normal {x, y, z}."),
+      motion(info("mirror", "Mirrored in the plane through {0, 0, 0} with normal {x, y, z}.",
+                  {"ball:mirror { 1, 0, 0 }"}),
              read_mirror),
-      motion(info("transform", "Mapped by three rows of four numbers; the last is the offset."),
-             read_matrix),
+      motion(
+          info("transform", "Mapped by three rows of four numbers; the last of each is the offset.",
+               {"ball:transform { { 1, 0, 0.3, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 2 } }"}),
+          read_matrix),
   };
 }
 

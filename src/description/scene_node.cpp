@@ -31,7 +31,7 @@ constexpr auto unit_names = [] {
 }();
 
 struct UnitReader {
-  static std::string type() { return schema::join_or(unit_names); }
+  static std::string type() { return schema::join_or_quoted(unit_names); }
   static double read(const Value& value, const Context& context) {
     return length_units[schema::read_word(value, unit_names, context)].metres;
   }
@@ -85,15 +85,18 @@ struct SceneParameters : SceneDescription {
 
 schema::NodeKind scene_kind() {
   using S = SceneParameters;
-  schema::Declaration<S> d({.name = "scene",
-                            .doc = "Everything to render; a scene file returns one.",
-                            .section = "scene"});
+  schema::Declaration<S> d(
+      {.name = "scene",
+       .doc = "Everything to render; a scene file returns one.",
+       .section = "scene",
+       .examples = {"scene { objects = { sphere {}, plane { point = { 0, 0, -1 } } } }"}});
   d.parameter("camera", &S::camera, {.doc = "Who looks; frames the objects when left out."})
       .parameter<LightListReader>("lights", &S::light_list,
                                   {.doc = "What gives light; a studio's when left out."})
       .parameter<ObjectListReader>("objects", &S::objects, {.doc = "What there is to see."})
-      .parameter("render", &S::render, {.doc = "What to render; see render."})
-      .parameter("film", &S::film, {.doc = "Exposure and tone; see film."})
+      .parameter("render", &S::render,
+                 {.doc = "Size, samples and more; see `lapidary help render`."})
+      .parameter("film", &S::film, {.doc = "Exposure and tone; see `lapidary help film`."})
       .parameter<UnitReader>("unit", &S::metres_per_unit,
                              {.doc = "How long a unit of length is; moves nothing."});
   return node_kind(std::move(d), [](S&& s, const Context& context) {

@@ -102,12 +102,15 @@ Declaration<RenderSettings> declare_render() {
   Declaration<R> d({.name = "render",
                     .doc = "What to render and when to stop: at the first of samples, time and "
                            "noise that is reached.",
-                    .section = "scene"});
+                    .section = "scene",
+                    .examples = {"render = { size = { 960, 540 }, samples = 256, max_depth = 12 }",
+                                 "render = { size = { 960, 540 }, noise = 0.02, time = 60 }"}});
   d.parameter(
        "size", &R::size,
        {.doc = "The picture's sides.", .unit = Unit::pixels, .range = {.min = 1, .max = 65536}})
       .parameter("samples", &R::samples,
-                 {.doc = "Samples of each pixel.", .range = {.min = 1, .max = 1 << 24}})
+                 {.doc = "Samples of each pixel; 256 when nothing says when to stop.",
+                  .range = {.min = 1, .max = 1 << 24}})
       .parameter("time", &R::time,
                  {.doc = "Wall time to spend.", .unit = Unit::seconds, .range = schema::positive})
       .parameter(
@@ -132,8 +135,10 @@ Declaration<RenderSettings> declare_render() {
 }
 
 Declaration<FilmSettings> declare_film() {
-  Declaration<FilmSettings> d(
-      {.name = "film", .doc = "How measured light becomes a picture.", .section = "scene"});
+  Declaration<FilmSettings> d({.name = "film",
+                               .doc = "How measured light becomes a picture.",
+                               .section = "scene",
+                               .examples = {"film = { exposure = 1.5, tone = \"none\" }"}});
   d.parameter("exposure", &FilmSettings::exposure,
               {.doc = "Multiplies the light.", .range = {.min = 1e-12, .max = 1e12}})
       .parameter("tone", &FilmSettings::tone,

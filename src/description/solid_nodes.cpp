@@ -18,7 +18,10 @@ using schema::Unit;
 constexpr auto section = "solids";
 
 NodeKind sphere() {
-  Declaration<ObjectOf<Sphere>> d({.name = "sphere", .doc = "A ball.", .section = section});
+  Declaration<ObjectOf<Sphere>> d({.name = "sphere",
+                                   .doc = "A ball.",
+                                   .section = section,
+                                   .examples = {"sphere { center = { 0, 0, 1 }, radius = 1 }"}});
   d.parameter("center", &Sphere::center, {.doc = "Its centre.", .unit = Unit::length})
       .parameter("radius", &Sphere::radius,
                  {.doc = "Distance from the centre to the surface.",
@@ -58,9 +61,14 @@ geometry::Box to_box(const BoxParameters& b, const Context& context) {
 
 NodeKind box() {
   using Parameters = ObjectOf<BoxParameters>;
-  Declaration<Parameters> d({.name = "box", .doc = "A box along the axes.", .section = section});
-  d.parameter("size", &BoxParameters::size,
-              {.doc = "Its extents.", .unit = Unit::length, .range = schema::positive})
+  Declaration<Parameters> d({.name = "box",
+                             .doc = "A box along the axes.",
+                             .section = section,
+                             .examples = {"box { size = { 2, 1, 0.5 } }",
+                                          "box { min = { 0, 0, 0 }, max = { 2, 1, 0.5 } }"}});
+  d.parameter(
+       "size", &BoxParameters::size,
+       {.doc = "Its extents along x, y and z.", .unit = Unit::length, .range = schema::positive})
       .parameter("center", &BoxParameters::center,
                  {.doc = "Its middle, with 'size'; {0, 0, 0} when left out.", .unit = Unit::length})
       .parameter("min", &BoxParameters::min,
@@ -76,7 +84,8 @@ NodeKind half_space() {
   Declaration<ObjectOf<HalfSpace>> d(
       {.name = "half_space",
        .doc = "Everything on one side of a plane: the side the normal does not point to.",
-       .section = section});
+       .section = section,
+       .examples = {"half_space { point = { 0, 0, -1 } }"}});
   d.parameter("point", &HalfSpace::point, {.doc = "A point of the plane.", .unit = Unit::length})
       .parameter("normal", &HalfSpace::normal, {.doc = "Out of the solid; of any length."});
   return node_kind(declare_object(d), [](ObjectOf<HalfSpace>&& h, const Context& context) {
@@ -87,7 +96,10 @@ NodeKind half_space() {
 
 NodeKind cylinder() {
   Declaration<ObjectOf<Cylinder>> d(
-      {.name = "cylinder", .doc = "A round bar with flat ends.", .section = section});
+      {.name = "cylinder",
+       .doc = "A round bar with flat ends.",
+       .section = section,
+       .examples = {"cylinder { from = { 0, 0, 0 }, to = { 0, 0, 2 }, radius = 0.4 }"}});
   d.parameter("from", &Cylinder::from, {.doc = "Middle of one end.", .unit = Unit::length})
       .parameter("to", &Cylinder::to, {.doc = "Middle of the other end.", .unit = Unit::length})
       .parameter("radius", &Cylinder::radius,
@@ -105,7 +117,8 @@ NodeKind cylinder() {
 std::vector<NodeKind> solid_kinds() {
   const NodeKind below = half_space();
   return {sphere(), box(), cylinder(), below,
-          alias(below, "plane", "A floor without end, solid below: another name for half_space.")};
+          alias(below, "plane", "A floor without end, solid below: another name for half_space.",
+                {"plane { material = matte \"#d8cfc0\" }"})};
 }
 
 }  // namespace lapidary::description

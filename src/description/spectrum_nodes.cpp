@@ -34,7 +34,9 @@ NodeKind spectrum() {
   Declaration<TableParameters> d({.name = "spectrum",
                                   .doc = "Values over wavelength, straight lines in between and "
                                          "constant beyond the ends.",
-                                  .section = section});
+                                  .section = section,
+                                  .examples = {"spectrum { from = 400, step = 100, values = { 0.1, "
+                                               "0.3, 0.8, 0.9 } }"}});
   d.parameter("from", &TableParameters::from,
               {.doc = "Wavelength of the first value.",
                .unit = Unit::nanometres,
@@ -57,8 +59,10 @@ NodeKind spectrum() {
 }
 
 NodeKind blackbody() {
-  Declaration<BlackbodyParameters> d(
-      {.name = "blackbody", .doc = "Light of a glowing body, of total 1.", .section = section});
+  Declaration<BlackbodyParameters> d({.name = "blackbody",
+                                      .doc = "Light of a glowing body, of total 1.",
+                                      .section = section,
+                                      .examples = {"blackbody(2700)"}});
   d.parameter("temperature", &BlackbodyParameters::temperature,
               {.doc = "A candle has 1900, a light bulb 2700, the sun 5800.",
                .unit = Unit::kelvin,

@@ -69,9 +69,13 @@ Node mesh_from_lists(Parameters&& m, const Context& context) {
 
 Declaration<Parameters> declare_mesh() {
   using M = MeshParameters;
-  Declaration<Parameters> d({.name = "mesh",
-                             .doc = "Triangles, from a file or from lists.",
-                             .section = "sheets and meshes"});
+  Declaration<Parameters> d(
+      {.name = "mesh",
+       .doc = "Triangles, from a file or from lists.",
+       .section = "sheets and meshes",
+       .examples = {"mesh \"duck.obj\"", "mesh { \"duck.obj\", up = \"z\", shading = \"smooth\" }",
+                    "mesh { vertices = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, faces = { { 1, "
+                    "2, 3 } } }"}});
   d.parameter("file", &M::file,
               {.doc = "An .obj file with its .mtl materials.", .shorthand = schema::Shorthand::yes})
       .parameter("vertices", &M::vertices,

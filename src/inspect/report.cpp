@@ -1,6 +1,5 @@
 #include "inspect/report.h"
 
-#include <algorithm>
 #include <map>
 #include <variant>
 
@@ -35,14 +34,14 @@ class Closures {
   std::map<const geometry::TriangleMesh*, geometry::MeshClosure> known_;
 };
 
-bool shines(const description::Leaf& leaf) {
-  const auto is_emissive = [](const description::MaterialPtr& material) {
-    return material && std::holds_alternative<description::Emissive>(material->model);
-  };
-  if (is_emissive(leaf.material)) return true;
-  const auto* mesh = std::get_if<description::Mesh>(&leaf.object.content);
-  return mesh != nullptr && std::ranges::any_of(mesh->materials, is_emissive);
-}
+/// As scenes call them.
+struct KindOfLight {
+  std::string operator()(const description::PointLight&) const { return "point_light"; }
+  std::string operator()(const description::SpotLight&) const { return "spot_light"; }
+  std::string operator()(const description::DistantLight&) const { return "distant_light"; }
+  std::string operator()(const description::ConstantEnvironment&) const { return "environment"; }
+  std::string operator()(const description::ImageEnvironment&) const { return "environment"; }
+};
 
 ObjectReport report_on(const description::Leaf& leaf, Closures& closures) {
   ObjectReport report;
@@ -50,6 +49,7 @@ ObjectReport report_on(const description::Leaf& leaf, Closures& closures) {
   report.kind = std::visit(KindOf{}, leaf.object.content);
   report.where = leaf.object.where.location();
   report.measure = measure(leaf);
+  report.worn = worn_by(leaf);
   report.closed = std::holds_alternative<geometry::Solid>(leaf.object.content);
   if (const auto* mesh = std::get_if<description::Mesh>(&leaf.object.content)) {
     report.triangles = mesh->triangles->triangles.size();
@@ -67,15 +67,21 @@ SceneReport inspect(const description::SceneDescription& scene) {
   Closures closures;
   std::vector<Body> bodies;
   description::for_each_leaf(scene.objects, [&](const description::Leaf& leaf) {
-    const ObjectReport& object = report.objects.emplace_back(report_on(leaf, closures));
-    if (object.closed) {
-      bodies.push_back(
-          {&leaf.object, leaf.world_from_object, object.measure.bounds, report.objects.size() - 1});
+    const ObjectReport& surface = report.surfaces.emplace_back(report_on(leaf, closures));
+    if (surface.closed) {
+      bodies.push_back({&leaf.object, leaf.world_from_object, surface.measure.bounds,
+                        report.surfaces.size() - 1});
     }
+    report.lights += surface.worn.glow == Glow::none ? 0 : 1;
+    if (surface.worn.glow == Glow::whole) return;
+    ++report.objects;
     report.operands += std::holds_alternative<geometry::Solid>(leaf.object.content) ? 1 : 0;
-    report.triangles += object.triangles;
-    report.lights += shines(leaf) ? 1 : 0;
+    report.triangles += surface.triangles;
   });
+  for (const description::Light& light : scene.lights) {
+    report.lights_without_surface.push_back(
+        {std::visit(KindOfLight{}, light.model), light.where.location()});
+  }
   report.lights += scene.lights.size();
   report.overlaps = find_overlaps(std::move(bodies));
   return report;

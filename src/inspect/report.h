@@ -10,6 +10,7 @@
 #include "geometry/mesh_closure.h"
 #include "inspect/measure.h"
 #include "inspect/overlap.h"
+#include "inspect/worn.h"
 
 namespace lapidary::inspect {
 
@@ -19,22 +20,31 @@ struct ObjectReport {
   std::string kind;  ///< "sphere", "mesh", ...
   Location where;
   Measure measure;
+  Worn worn;  ///< what glows as a whole is a light, and no object to the counts below
   std::size_t triangles = 0;
   /// Whether it has an inside: solids have, sheets have not, meshes have if they are closed.
   bool closed = false;
   std::optional<geometry::MeshClosure> closure;  ///< of meshes only
 };
 
-/// What can be said about a scene without rendering it.
-struct SceneReport {
-  std::vector<ObjectReport> objects;  ///< in order of writing, groups resolved
-  OverlapSearch overlaps;             ///< by index into `objects`
-  std::size_t lights = 0;             ///< entries of the list of lights and objects that shine
-  std::size_t operands = 0;           ///< leaves of solids
-  std::size_t triangles = 0;          ///< instances counted each
+/// A light without a surface.
+struct LightReport {
+  std::string kind;  ///< "point_light", "environment", ...
+  Location where;
 };
 
-/// Looks at every object of `scene`.
+/// What can be said about a scene without rendering it.
+struct SceneReport {
+  std::vector<ObjectReport> surfaces;  ///< objects and lights, in order of writing, no groups
+  std::vector<LightReport> lights_without_surface;
+  OverlapSearch overlaps;     ///< by index into `surfaces`
+  std::size_t objects = 0;    ///< surfaces that reflect, all or a part of them
+  std::size_t lights = 0;     ///< surfaces that glow, all or a part of them, and those without one
+  std::size_t operands = 0;   ///< leaves of solids among the objects
+  std::size_t triangles = 0;  ///< of the objects, instances counted each
+};
+
+/// Looks at every object and light of `scene`.
 SceneReport inspect(const description::SceneDescription& scene);
 
 }  // namespace lapidary::inspect

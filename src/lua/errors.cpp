@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "lua/interpreter.h"
 
 namespace lapidary::lua {
@@ -38,6 +40,20 @@ void push_exception(lua_State* L, std::exception_ptr problem) {
   void* place = lua_newuserdatauv(L, sizeof(Box), 0);
   new (place) Box(std::move(problem));
   luaL_setmetatable(L, type_name);
+}
+
+/// `error` with the line that called the function it is in. An error may lie in what a function
+/// does, or in what it was given.
+Error with_caller(lua_State* L, Error error) {
+  const Interpreter& interpreter = Interpreter::of(L);
+  const auto is_here = [&error](const Location& place) {
+    return place.file == error.where().file && place.line == error.where().line;
+  };
+  if (!is_here(interpreter.call_site(L).location())) return error;
+  const Location caller = interpreter.caller_site(L).location();
+  if (caller.line == 0 || is_here(caller)) return error;
+  return Error(error.where(), fmt::format("{}, called from {}", error.problem(), to_string(caller)),
+               error.hint());
 }
 
 /// What the interpreter's own messages mean for somebody who writes scenes.
@@ -75,10 +91,12 @@ int raise_with_place(lua_State* L, std::exception_ptr problem) {
   try {
     std::rethrow_exception(problem);
   } catch (const Error& error) {
-    if (error.where().file.empty() && error.where().line == 0) {
-      Location where = Interpreter::of(L).call_site(L).location(error.where().parameter);
-      problem = std::make_exception_ptr(Error(std::move(where), error.problem(), error.hint()));
+    Location where = error.where();
+    if (where.file.empty() && where.line == 0) {
+      where = Interpreter::of(L).call_site(L).location(where.parameter);
     }
+    problem = std::make_exception_ptr(
+        with_caller(L, Error(std::move(where), error.problem(), error.hint())));
   } catch (const std::exception&) {
     // Anything else goes on as it is.
   }
@@ -98,11 +116,12 @@ int error_with_place(lua_State* L) {
     const char* text = lua_tolstring(L, 1, &size);
     auto [where, message] = interpreter.sources().split_message({text, size});
     if (where.line == 0) where = interpreter.call_site(L).location();
-    push_exception(L, std::make_exception_ptr(explain(std::move(where), message)));
+    push_exception(L, std::make_exception_ptr(with_caller(L, explain(std::move(where), message))));
   } else {
     const std::string problem =
         std::string("error called with a ") + luaL_typename(L, 1) + " instead of a message";
-    push_exception(L, std::make_exception_ptr(Error(interpreter.call_site(L).location(), problem)));
+    push_exception(L, std::make_exception_ptr(
+                          with_caller(L, Error(interpreter.call_site(L).location(), problem))));
   }
   return 1;
 }

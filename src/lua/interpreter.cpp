@@ -108,13 +108,27 @@ void Interpreter::push_chunk(lua_State* L, const std::filesystem::path& file,
   throw Error(std::move(where), std::string(problem));
 }
 
-schema::CallSite Interpreter::call_site(lua_State* L) const {
-  lua_Debug ar;
-  for (int level = 0; lua_getstack(L, level, &ar) != 0; ++level) {
+schema::CallSite Interpreter::site_from(lua_State* L, int& level, lua_Debug& ar) const {
+  for (; lua_getstack(L, level, &ar) != 0; ++level) {
     if (lua_getinfo(L, "Sl", &ar) == 0 || ar.currentline <= 0) continue;
     if (auto file = sources_.find(ar.source)) return {std::move(file), ar.currentline};
   }
   return {};
+}
+
+schema::CallSite Interpreter::call_site(lua_State* L) const {
+  int level = 0;
+  lua_Debug ar{};
+  return site_from(L, level, ar);
+}
+
+schema::CallSite Interpreter::caller_site(lua_State* L) const {
+  int level = 0;
+  lua_Debug ar{};
+  const schema::CallSite innermost = site_from(L, level, ar);
+  // What called a file is `require` or the program: nothing to look for there.
+  const bool is_function = innermost.location().line > 0 && std::string_view(ar.what) == "Lua";
+  return is_function ? site_from(L, ++level, ar) : schema::CallSite();
 }
 
 }  // namespace lapidary::lua

@@ -54,6 +54,10 @@ class Interpreter {
   /// The line of the innermost function of the scene.
   schema::CallSite call_site(lua_State* L) const;
 
+  /// The line that called the innermost function of the scene; unknown where that is the file
+  /// itself, or where Lua no longer remembers.
+  schema::CallSite caller_site(lua_State* L) const;
+
   /// Modules whose chunk runs at this moment, the innermost last.
   std::vector<std::filesystem::path>& modules_being_read() { return modules_being_read_; }
 
@@ -62,6 +66,9 @@ class Interpreter {
 
  private:
   [[noreturn]] void rethrow(int status);
+  /// The line where the innermost function of the scene stands, not counting those of a lower
+  /// `level` of the stack; `ar` tells about that function and `level` is its own.
+  schema::CallSite site_from(lua_State* L, int& level, lua_Debug& ar) const;
 
   Budget budget_;
   SourceFiles sources_;

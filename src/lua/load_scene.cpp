@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "description/color_readers.h"
 #include "description/methods.h"
 #include "description/node_readers.h"
 #include "description/nodes.h"
@@ -17,11 +18,12 @@ namespace {
 namespace fs = std::filesystem;
 using description::ObjectListReader;
 using description::SceneDescription;
+using import::MeshFiles;
 
 constexpr auto what_to_return = "end the file with: return scene { objects = { ... } }";
 
 /// All kinds of nodes, in the order of the reference.
-std::vector<schema::NodeKind> node_kinds(import::MeshFiles& meshes) {
+std::vector<schema::NodeKind> node_kinds(MeshFiles& meshes) {
   auto kinds = description::node_kinds();
   kinds.push_back(import::mesh_kind(meshes));
   return kinds;
@@ -63,33 +65,33 @@ LoadedScene load_scene(const fs::path& scene, const LoadOptions& options) {
   check_exists(scene);
   Parameters parameters(options.settings);
   const FolderGuard guard(scene.parent_path(), options.allowed);
-  import::MeshFiles meshes(options.warnings,
-                           [&guard](const fs::path& file) { return guard.allows(file);
-});
-const auto kinds = node_kinds(meshes);
-const auto methods = description::object_methods();
-Interpreter interpreter(options.limits, guard, options.print);
-SceneDescription description;
-interpreter.run([&](lua_State* L) {
-  open_nodes(L, kinds, methods);
-  parameters.open(L);
-  set_number(L, "frame", options.frame);
-  set_number(L, "time", options.time);
-  interpreter.push_chunk(L, scene, scene.string());
-  lua_call(L, 0, 1);
-  interpreter.arena().clear();
-  const schema::CallSite where(std::make_shared<const std::string>(scene.string()), 0);
-  description = returned_scene(to_value(L, -1), where);
-});
-parameters.check_all_used();
-return {std::move(description), parameters.known(), interpreter.chunk_files()};
-}  // namespace lapidary::lua
+  MeshFiles meshes(options.warnings, [&guard](const fs::path& file) { return guard.allows(file); });
+  const auto kinds = node_kinds(meshes);
+  const auto methods = description::object_methods();
+  Interpreter interpreter(options.limits, guard, options.print);
+  SceneDescription description;
+  interpreter.run([&](lua_State* L) {
+    open_nodes(L, kinds, methods);
+    parameters.open(L);
+    set_number(L, "frame", options.frame);
+    set_number(L, "time", options.time);
+    interpreter.push_chunk(L, scene, scene.string());
+    lua_call(L, 0, 1);
+    interpreter.arena().clear();
+    const schema::CallSite where(std::make_shared<const std::string>(scene.string()), 0);
+    description = returned_scene(to_value(L, -1), where);
+  });
+  parameters.check_all_used();
+  return {std::move(description), parameters.known(), interpreter.chunk_files()};
+}
 
 std::vector<schema::NodeInfo> node_infos() {
-  import::MeshFiles meshes;
+  MeshFiles meshes;
   std::vector<schema::NodeInfo> infos;
   for (auto& kind : node_kinds(meshes)) infos.push_back(std::move(kind.info));
   for (auto& method : description::object_methods()) infos.push_back(std::move(method.info));
+  infos.push_back(description::color_info());
+  infos.push_back(Parameters::info());
   return infos;
 }
 

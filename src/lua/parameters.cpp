@@ -43,6 +43,17 @@ void Parameters::open(lua_State* L) {
   lua_setglobal(L, "param");
 }
 
+schema::NodeInfo Parameters::info() {
+  return {.name = "param",
+          .doc =
+              "param(\"NAME\", DEFAULT) is what --set NAME=VALUE says on the command line, else "
+              "the default; without a default the scene asks for a value.",
+          .section = "values",
+          .examples = {"sphere { radius = param(\"radius\", 0.5) }"},
+          .form = schema::Form::other,
+          .parameters = {}};
+}
+
 const std::string* Parameters::find_setting(const std::string& name) const {
   const auto found = std::find_if(settings_.rbegin(), settings_.rend(),
                                   [&name](const auto& setting) { return setting.first == name; });

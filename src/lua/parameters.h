@@ -6,6 +6,7 @@
 
 #include "lua/lua_api.h"
 #include "lua/scene_parameter.h"
+#include "schema/node_info.h"
 
 namespace lapidary::lua {
 
@@ -23,6 +24,9 @@ class Parameters {
 
   /// In the order in which the scene asked first.
   const std::vector<SceneParameter>& known() const { return known_; }
+
+  /// The function `param`, for help.
+  static schema::NodeInfo info();
 
  private:
   static int param(lua_State* L);

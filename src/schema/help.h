@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -7,10 +8,11 @@
 
 namespace lapidary::schema {
 
-/// Everything about one kind of node, as text for a terminal.
-std::string help_text(const NodeInfo& info);
+/// Everything about one kind of node, as text for a terminal with lines of `width` characters.
+/// Only words longer than a line, and examples, go beyond it.
+std::string help_text(const NodeInfo& info, std::size_t width = 80);
 
-/// All kinds by section, one line each, in the order given.
-std::string help_index(std::span<const NodeInfo> kinds);
+/// All kinds by section with what they are, in the order given.
+std::string help_index(std::span<const NodeInfo> kinds, std::size_t width = 80);
 
 }  // namespace lapidary::schema

@@ -41,15 +41,19 @@ struct ParameterInfo {
   Shorthand shorthand = Shorthand::no;
 };
 
-/// How a node is written: as `name { ... }`, as a plain table where another node has it, or as
-/// `object:name { ... }`.
-enum class Form { constructor, table, method };
+/// How a word of the scene language is used: as `name { ... }`, as a plain table `name = { ... }`
+/// where another node has it, as `object:name { ... }`, or in a way of its own that only its
+/// examples show.
+enum class Form { constructor, table, method, other };
 
-/// A kind of node as help and messages show it.
+/// A kind of node, or another word of the scene language, as help and messages show it.
 struct NodeInfo {
   std::string name;
   std::string doc;      ///< one line
   std::string section;  ///< of the index and the reference: "solid"
+  /// Each as a scene may hold it: an expression, for a table with its name and '='. Methods are
+  /// those of an object `ball`.
+  std::vector<std::string> examples = {};
   Form form = Form::constructor;
   std::vector<ParameterInfo> parameters;
 };

@@ -31,8 +31,10 @@ NodeKind node_kind(Declaration<T> declaration, Finish finish) {
 }
 
 /// The same node under another name.
-inline NodeKind alias(const NodeKind& kind, std::string name, std::string doc) {
+inline NodeKind alias(const NodeKind& kind, std::string name, std::string doc,
+                      std::vector<std::string> examples) {
   NodeKind other = kind;
+  other.info.examples = std::move(examples);
   other.info.name = std::move(name);
   other.info.doc = std::move(doc);
   return other;

@@ -108,7 +108,7 @@ struct Reader<std::optional<T>> {
 /// A list; one value that is no list stands for a list of one.
 template <typename T>
 struct Reader<std::vector<T>> {
-  static std::string type() { return "list of " + Reader<T>::type(); }
+  static std::string type() { return "list of " + plural(Reader<T>::type()); }
   static std::vector<T> read(const Value& value, const Context& context) {
     if (value.kind() != ValueKind::table) return {Reader<T>::read(value, context)};
     if (!value.table().fields.empty()) fail_type("a list", value, context);
@@ -140,15 +140,7 @@ struct Reader<E> {
     return only;
   }();
 
-  static std::string type() {
-    std::array<std::string, words.size()> quoted;
-    std::array<std::string_view, words.size()> views;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      quoted[i] = '"' + std::string(words[i]) + '"';
-      views[i] = quoted[i];
-    }
-    return join_or(views);
-  }
+  static std::string type() { return join_or_quoted(words); }
   static E read(const Value& value, const Context& context) {
     return EnumNames<E>::names[read_word(value, words, context)].second;
   }

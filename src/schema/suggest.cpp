@@ -64,4 +64,16 @@ std::string join_or(std::span<const std::string_view> words) {
   return text;
 }
 
+std::string join_or_quoted(std::span<const std::string_view> words) {
+  std::vector<std::string> quoted;
+  for (const std::string_view word : words) quoted.push_back(fmt::format("\"{}\"", word));
+  const std::vector<std::string_view> views(quoted.begin(), quoted.end());
+  return join_or(views);
+}
+
+std::string plural(const std::string& things) {
+  if (things.starts_with("list of")) return "lists" + things.substr(4);
+  return things.ends_with('}') ? things : things + "s";
+}
+
 }  // namespace lapidary::schema

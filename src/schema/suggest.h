@@ -16,5 +16,10 @@ std::string did_you_mean(std::string_view word, std::span<const std::string_view
 
 /// "a, b or c".
 std::string join_or(std::span<const std::string_view> words);
+/// "\"a\", \"b\" or \"c\"".
+std::string join_or_quoted(std::span<const std::string_view> words);
+
+/// What several of `things` are called: "numbers", "lists of {x, y, z}".
+std::string plural(const std::string& things);
 
 }  // namespace lapidary::schema

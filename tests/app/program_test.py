@@ -90,8 +90,20 @@ class Help(ProgramTest):
     def test_explains_a_node_and_a_verb(self):
         self.assertIn("radius", self.succeed("help", "sphere").stdout)
         self.assertIn("--samples", self.succeed("help", "render").stdout)
-        self.assertEqual(self.succeed("help", "render").stdout,
-                         self.succeed("render", "--help").stdout)
+        self.assertEqual(self.succeed("help", "check").stdout,
+                         self.succeed("check", "--help").stdout)
+
+    def test_explains_the_verb_and_the_node_of_one_name(self):
+        text = self.succeed("help", "render").stdout
+        self.assertTrue(text.startswith(self.succeed("render", "--help").stdout))
+        self.assertIn("filter_radius", text)
+        self.assertIn("max_depth", text)
+
+    def test_fits_a_terminal(self):
+        for topic in ((), ("metal",), ("distant_light",), ("mesh",)):
+            for line in self.succeed("help", *topic).stdout.splitlines():
+                if not line.startswith("    "):  # examples stay whole
+                    self.assertLessEqual(len(line), 80, line)
 
     def test_suggests_a_node(self):
         self.assertIn("sphere", self.fail_with(2, "help", "spere"))
@@ -277,18 +289,54 @@ class Check(ProgramTest):
     def test_says_what_is_there(self):
         self.write("ball.lua", BALL)
         text = self.succeed("check", "ball.lua").stdout
-        self.assertIn("2 objects", text)
+        self.assertIn("ball.lua: 1 object, 1 operand, 0 triangles, 1 light\n", text)
         self.assertIn("12.566", text)  # the unit sphere's area
         self.assertIn("4.1887", text)  # and its volume
+
+    def test_lists_lights_apart_from_objects(self):
+        self.write("scene.lua", "return scene { objects = { sphere {}, "
+                                "disk_light { center = {0, 0, 5}, at = {0, 0, 0}, power = 5, "
+                                "name = 'lamp' } }, lights = { environment {}, "
+                                "{ point_light { power = 3 } } } }")
+        text = self.succeed("check", "scene.lua").stdout
+        self.assertIn("1 object, 1 operand, 0 triangles, 3 lights\n", text)
+        objects, lights = text.split("light\n", 1)
+        self.assertNotIn("disk", objects)
+        self.assertRegex(lights, r"disk +3\.14159 +'lamp' \(scene\.lua:1\)\n")
+        self.assertRegex(lights, r"environment +- +environment \(scene\.lua:1\)\n")
+        self.assertRegex(lights, "point_light")
+        self.assertNotIn("sphere", lights)
 
     def test_finds_overlaps_and_open_meshes(self):
         self.write("open.obj", TETRAHEDRON.replace("f 3 1 4\n", ""))
         self.write("scene.lua", "return scene { objects = { sphere {}:name 'one', "
                                 "sphere { center = {1, 0, 0} }:name 'two', "
-                                "mesh { file = 'open.obj' } } }")
+                                "mesh { file = 'open.obj', name = 'sheet' }, "
+                                "mesh { file = 'open.obj', material = glass(1.5), "
+                                "name = 'vessel' } } }")
         text = self.succeed("check", "scene.lua").stdout
-        self.assertIn("3 open", text)
+        self.assertRegex(text, "mesh +3  3 open .*'sheet'")
+        problems = text.split("meshes to look at:\n")[1]
+        self.assertRegex(problems, "'vessel' .*: made of glass, but not closed: 3 open edges, one ")
+        self.assertNotIn("sheet", problems)
         self.assertRegex(text, "'one'.* and 'two'")
+
+    def test_what_the_scene_prints_stands_before_the_table(self):
+        self.write("ball.lua", "print('hello')  print('again')" + BALL)
+        done = subprocess.run([LAPIDARY, "check", "ball.lua"], cwd=self.folder, check=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.assertTrue(done.stdout.startswith("hello\nagain\nball.lua: 1 object"), done.stdout)
+
+    def test_warns_of_a_light_that_faces_away(self):
+        scene = ("return scene { objects = { sphere {}, plane { point = {0, 0, -1} } },\n"
+                 "lights = { rectangle_light { center = {0, 0, 4}, normal = {0, 0, %d}, "
+                 "power = 9 } }, render = { size = {4, 4}, samples = 1 } }")
+        self.write("up.lua", scene % 1)
+        self.write("down.lua", scene % -1)
+        for verb in ("check", "render"):
+            warning = self.succeed(verb, "up.lua").stderr.splitlines()[0]
+            self.assertTrue(warning.startswith("warning: up.lua:2: the light faces away"), warning)
+            self.assertNotIn("warning", self.succeed(verb, "down.lua").stderr)
 
     def test_refuses_what_a_renderer_refuses(self):
         self.write("bad.lua", "return scene { objects = { sphere { radius = -1 } } }")
@@ -299,15 +347,17 @@ class Interrupt(ProgramTest):
     def test_ends_with_the_picture_so_far(self):
         self.write("ball.lua", BALL)
         program = self.start("render", "ball.lua", "--samples", "16000000", "--progress", "json",
-                             "--stats", "s.json")
+                             "--stats", "s.json", "--threads", "2")
         self.addCleanup(program.kill)
         program.stderr.readline()  # the first block is done
         program.send_signal(signal.SIGINT)
-        program.communicate(timeout=60)
+        errors = program.communicate(timeout=60)[1]
         self.assertEqual(program.returncode, 4)
+        self.assertTrue(errors.endswith(", interrupted\n"), errors)
         self.assertEqual(png_size(self.folder / "ball.png"), (24, 16))
         stats = json.loads((self.folder / "s.json").read_text())
         self.assertEqual(stats["ended"], "interrupted")
+        self.assertEqual(stats["threads"], 2)
         self.assertGreater(stats["samples_per_pixel"], 0)
 
     def test_asked_twice_it_ends_at_once(self):

@@ -18,6 +18,20 @@ inline description::ObjectPtr make_object(decltype(description::Object::content)
   return object;
 }
 
+inline description::MaterialPtr emissive() {
+  return std::make_shared<const description::Material>(
+      description::Material{description::Emissive{}, "", {}});
+}
+
+inline description::MaterialPtr glass() {
+  return std::make_shared<const description::Material>(
+      description::Material{description::Glass{}, "", {}});
+}
+
+inline description::ObjectPtr glowing(const description::ObjectPtr& object) {
+  return description::with_material(*object, emissive());
+}
+
 /// A cube of side 1 about the origin, closed, wound outward.
 inline geometry::TriangleMesh cube_mesh() {
   geometry::TriangleMesh mesh;

@@ -80,6 +80,42 @@ TEST_F(Errors, OfRunning) {
               StartsWith("main.lua:2: unknown name 'spere'"));
 }
 
+TEST_F(Errors, InAFunctionNameTheLineThatCalledIt) {
+  const std::string ball = "local function ball(r)\n  return sphere { radius = r }\nend\n";
+  EXPECT_EQ(error_of(ball + "local a = ball(1)\nreturn { a, ball(-1) }"),
+            "main.lua:2: radius of sphere must be greater than 0, not -1, called from " +
+                (folder_ / "scene/main.lua").string() + ":5");
+  EXPECT_THAT(error_of(ball + "local function pair(r)\n  local a = ball(r)\n  return { a, a }\n"
+                              "end\nreturn pair(-1)"),
+              testing::EndsWith("main.lua:5"));
+  EXPECT_THAT(error_of("local function f(p)\n  return p.x + 1\nend\n\nlocal x = f()\nreturn {}"),
+              testing::AllOf(StartsWith("main.lua:2: attempt to index a nil value (local 'p')"),
+                             testing::EndsWith(", called from " +
+                                               (folder_ / "scene/main.lua").string() + ":5")));
+  EXPECT_THAT(error_of("local function f(p)\n  return spere(p)\nend\nlocal x = f()\nreturn {}"),
+              testing::AllOf(StartsWith("main.lua:2: unknown name 'spere', called from "),
+                             testing::EndsWith("main.lua:4 (did you mean 'sphere'?)")));
+  EXPECT_THAT(error_of("local function f()\n  error {}\nend\nf()"),
+              testing::EndsWith("main.lua:4"));
+}
+
+TEST_F(Errors, NameACallerInAnotherFile) {
+  write("scene/lib.lua",
+        "local lib = {}\nfunction lib.ball(r)\n  return sphere { radius = r }\n"
+        "end\nreturn lib");
+  EXPECT_THAT(
+      error_of("local lib = require 'lib'\n\nlocal b = lib.ball(0)\nreturn b"),
+      testing::AllOf(StartsWith("lib.lua:3: radius of sphere"), testing::EndsWith("main.lua:3")));
+}
+
+TEST_F(Errors, NameNoCallerWhereTheyAreAtOneAlready) {
+  EXPECT_EQ(error_of("local function f() error('too wide', 2) end\nf()"), "main.lua:2: too wide");
+  EXPECT_EQ(error_of("local function f() return sphere { radius = -1 } end  return { f() }"),
+            "main.lua:1: radius of sphere must be greater than 0, not -1");
+  EXPECT_THAT(error_of("local function f() return 1 + f() end\nf()"),
+              testing::Not(HasSubstr("called from")));
+}
+
 TEST_F(Errors, CanBeCaughtByTheScene) {
   EXPECT_THAT(output_of("local ok, e = pcall(sphere, { radius = -1 })  print(ok, e)"),
               testing::ElementsAre(testing::AllOf(

@@ -140,5 +140,20 @@ TEST_F(Language, HelpKnowsEveryNodeAndMethod) {
   }
 }
 
+TEST_F(Language, EveryExampleOfHelpRuns) {
+  write("scene/duck.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  write("scene/sky.hdr", "only its name is looked at");
+  for (const auto& info : node_infos()) {
+    EXPECT_FALSE(info.examples.empty()) << info.name;
+    for (const std::string& example : info.examples) {
+      const bool is_table = info.form == schema::Form::table;
+      EXPECT_EQ(error_of("local ball = sphere {}\nlocal thing = " +
+                         (is_table ? "scene { " + example + " }" : example) + "\nreturn {}"),
+                "no error")
+          << example;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace lapidary::lua

@@ -157,11 +157,43 @@ TEST_F(DeclarationTest, MissingRequiredParametersAreNamed) {
 
 TEST_F(DeclarationTest, HelpShowsTypesUnitsRangesAndDefaults) {
   const std::string help = help_text(declaration_.info());
-  EXPECT_THAT(help, HasSubstr("pebble { ... }   or   pebble VALUE\n  A stone.\n"));
+  EXPECT_THAT(help, HasSubstr("pebble { ... }   or   pebble LABEL   or   pebble { LABEL, ... }\n"
+                              "  A stone.\n"));
   EXPECT_THAT(help, HasSubstr("center   {x, y, z}, scene units; default {0, 0, 0}\n"));
   EXPECT_THAT(help, HasSubstr("radius   number, scene units, greater than 0; default 1\n"));
   EXPECT_THAT(help, HasSubstr("finish   \"dull\" or \"shiny\"; default \"dull\"\n"));
   EXPECT_THAT(help, HasSubstr("age      number, s\n"));
+  EXPECT_THAT(help, HasSubstr("weights  list of numbers, at least 0\n"));
+}
+
+TEST_F(DeclarationTest, HelpBreaksLinesBetweenWords) {
+  const NodeInfo info{.name = "a",
+                      .doc = "one two three four",
+                      .section = "s",
+                      .examples = {"a { 1, 2, 3, 4, 5, 6, 7 }"}};
+  EXPECT_EQ(help_text(info, 14),
+            "a { ... }\n"
+            "  one two\n"
+            "  three four\n"
+            "\n"
+            "  for example\n"
+            "    a { 1, 2, 3, 4, 5, 6, 7 }\n");
+  EXPECT_EQ(help_index({&info, 1}, 14), "s\n  a  one two\n     three\n     four\n");
+}
+
+TEST(Range, IsShownShort) {
+  EXPECT_EQ((Range{.min = 1e-12, .max = 1e12}.text()), "from 1e-12 to 1e12");
+  EXPECT_EQ((Range{.min = 0, .max = 1e30}.text()), "from 0 to 1e30");
+  EXPECT_EQ((Range{.max = 1 << 24}.text()), "at most 16777216");
+  EXPECT_EQ((Range{.max = 100000}.text()), "at most 100000");
+}
+
+TEST(Words, InLists) {
+  const std::array<std::string_view, 3> words = {"a", "b", "c"};
+  EXPECT_EQ(join_or_quoted(words), "\"a\", \"b\" or \"c\"");
+  EXPECT_EQ(plural("number"), "numbers");
+  EXPECT_EQ(plural("{x, y, z}"), "{x, y, z}");
+  EXPECT_EQ(plural("list of numbers"), "lists of numbers");
 }
 
 TEST_F(DeclarationTest, NodeKindsConstructSharedNodes) {
