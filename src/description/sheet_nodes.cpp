@@ -16,17 +16,16 @@ NodeKind rectangle() {
   Declaration<Parameters> d({.name = "rectangle",
                              .doc = "A flat sheet with four sides; it encloses nothing.",
                              .section = section});
-  return node_kind(
-      declare_object(declare_rectangle(d)), [](Parameters&& r, const Context& context) {
-        return object_node(geometry::Sheet(to_rectangle(r, context)), std::move(r), context);
-      });
+  return node_kind(declare_sheet(declare_rectangle(d)), [](Parameters&& r, const Context& context) {
+    return object_node(geometry::Sheet(to_rectangle(r, context)), std::move(r), context);
+  });
 }
 
 NodeKind disk() {
   using Parameters = ObjectOf<DiskParameters>;
   Declaration<Parameters> d(
       {.name = "disk", .doc = "A flat round sheet; it encloses nothing.", .section = section});
-  return node_kind(declare_object(declare_disk(d)), [](Parameters&& p, const Context& context) {
+  return node_kind(declare_sheet(declare_disk(d)), [](Parameters&& p, const Context& context) {
     return object_node(geometry::Sheet(to_disk(p, context)), std::move(p), context);
   });
 }

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "description/leaves.h"
+#include "description/solids.h"
 
 namespace lapidary::inspect {
 namespace {
@@ -14,6 +15,20 @@ struct KindOf {
   std::string operator()(const geometry::Sheet& sheet) const { return std::visit(*this, sheet); }
   std::string operator()(const description::Mesh&) const { return "mesh"; }
   std::string operator()(const std::shared_ptr<const description::Group>&) const { return "group"; }
+  std::string operator()(const description::Combination& combination) const {
+    switch (combination.operation()) {
+      case description::SetOperation::unite:
+        return "union";
+      case description::SetOperation::intersect:
+        return "intersection";
+      case description::SetOperation::complement:
+        return "complement";
+      case description::SetOperation::subtract:
+      case description::SetOperation::section:
+        break;
+    }
+    return "difference";
+  }
   std::string operator()(const geometry::Sphere&) const { return "sphere"; }
   std::string operator()(const geometry::Box&) const { return "box"; }
   std::string operator()(const geometry::Cylinder&) const { return "cylinder"; }
@@ -35,22 +50,14 @@ class Closures {
   std::map<const geometry::TriangleMesh*, geometry::MeshClosure> known_;
 };
 
-bool shines(const description::Leaf& leaf) {
-  const auto is_emissive = [](const description::MaterialPtr& material) {
-    return material && std::holds_alternative<description::Emissive>(material->model);
-  };
-  if (is_emissive(leaf.material)) return true;
-  const auto* mesh = std::get_if<description::Mesh>(&leaf.object.content);
-  return mesh != nullptr && std::ranges::any_of(mesh->materials, is_emissive);
-}
-
 ObjectReport report_on(const description::Leaf& leaf, Closures& closures) {
   ObjectReport report;
   report.name = leaf.name;
   report.kind = std::visit(KindOf{}, leaf.object.content);
   report.where = leaf.object.where.location();
   report.measure = measure(leaf);
-  report.closed = std::holds_alternative<geometry::Solid>(leaf.object.content);
+  report.closed = std::holds_alternative<geometry::Solid>(leaf.object.content) ||
+                  leaf.object.combination() != nullptr;
   if (const auto* mesh = std::get_if<description::Mesh>(&leaf.object.content)) {
     report.triangles = mesh->triangles->triangles.size();
     report.closure = closures.of(*mesh->triangles);
@@ -68,13 +75,14 @@ SceneReport inspect(const description::SceneDescription& scene) {
   std::vector<Body> bodies;
   description::for_each_leaf(scene.objects, [&](const description::Leaf& leaf) {
     const ObjectReport& object = report.objects.emplace_back(report_on(leaf, closures));
-    if (object.closed) {
+    // Whether combinations overlap others takes more than is known here.
+    if (object.closed && !leaf.object.combination()) {
       bodies.push_back(
           {&leaf.object, leaf.world_from_object, object.measure.bounds, report.objects.size() - 1});
     }
-    report.operands += std::holds_alternative<geometry::Solid>(leaf.object.content) ? 1 : 0;
+    report.operands += description::operand_count(leaf.object);
     report.triangles += object.triangles;
-    report.lights += shines(leaf) ? 1 : 0;
+    report.lights += description::gives_light(leaf) ? 1 : 0;
   });
   report.lights += scene.lights.size();
   report.overlaps = find_overlaps(std::move(bodies));

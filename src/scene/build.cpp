@@ -63,6 +63,10 @@ void Builder::add_light(Slot& slot, light::Light light) {
 
 void Builder::add(const Leaf& leaf) {
   parts_.objects.push_back({std::string(leaf.name)});
+  if (leaf.object.combination() || !leaf.removed.empty()) {
+    throw Error(leaf.object.where.location(),
+                "solids that are combined cannot be rendered in this version");
+  }
   if (const auto* solid = std::get_if<geometry::Solid>(&leaf.object.content)) {
     add_solid(leaf, *solid);
   } else if (const auto* sheet = std::get_if<geometry::Sheet>(&leaf.object.content)) {

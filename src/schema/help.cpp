@@ -24,6 +24,7 @@ std::string default_of(const ParameterInfo& parameter) {
 std::string usage(const NodeInfo& info) {
   if (info.form == Form::table) return fmt::format("{} = {{ ... }}", info.name);
   if (info.form == Form::method) return fmt::format("object:{} {{ ... }}", info.name);
+  if (info.form == Form::expression) return info.name;
   const bool alone = std::any_of(info.parameters.begin(), info.parameters.end(),
                                  [](const auto& p) { return p.shorthand == Shorthand::yes; });
   return fmt::format("{0} {{ ... }}{1}", info.name,

@@ -42,8 +42,8 @@ struct ParameterInfo {
 };
 
 /// How a node is written: as `name { ... }`, as a plain table where another node has it, or as
-/// `object:name { ... }`.
-enum class Form { constructor, table, method };
+/// `object:name { ... }`; what is no call has its whole text for a name.
+enum class Form { constructor, table, method, expression };
 
 /// A kind of node as help and messages show it.
 struct NodeInfo {
