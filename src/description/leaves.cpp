@@ -3,35 +3,83 @@
 namespace lapidary::description {
 namespace {
 
-/// What groups hand down to their members.
+/// What groups and sections hand down.
 struct Inherited {
-  const Transform& world_from_parent;
-  const MaterialPtr& material;
+  Transform world_from_parent;
+  MaterialPtr material = default_material();
   std::string_view name;
+  MaterialPtr interior;
+  std::int32_t priority = 0;
+  const Cut* cut = nullptr;
 };
 
-void visit_object(const Object& object, const Inherited& above,
-                  const std::function<void(const Leaf&)>& visit) {
-  const MaterialPtr& material = object.material ? object.material : above.material;
-  const std::string_view name = object.name ? std::string_view(*object.name) : above.name;
-  const Transform world_from_object =
-      object.placement ? above.world_from_parent * *object.placement : above.world_from_parent;
-  if (const auto* group = std::get_if<std::shared_ptr<const Group>>(&object.content)) {
-    for (const ObjectPtr& child : (*group)->children) {
-      visit_object(*child, {world_from_object, material, name}, visit);
-    }
-    return;
-  }
-  visit({object, world_from_object, material, name});
+Inherited inside(const Object& object, const Inherited& above) {
+  Inherited here = above;
+  if (object.placement) here.world_from_parent = above.world_from_parent * *object.placement;
+  if (object.material) here.material = object.material;
+  const Attributes* own = object.attributes.get();
+  if (!own) return here;
+  if (!own->name.empty()) here.name = own->name;
+  if (own->interior) here.interior = own->interior;
+  if (own->priority) here.priority = *own->priority;
+  if (own->cut) here.cut = &*own->cut;
+  return here;
 }
+
+class LeafWalk {
+ public:
+  explicit LeafWalk(const std::function<void(const Leaf&)>& visit) : visit_(visit) {}
+
+  void walk(std::span<const ObjectPtr> objects) {
+    levels_.push_back({objects, {}, 0});
+    while (!levels_.empty()) {
+      Level& level = levels_.back();
+      removed_.resize(level.removed);
+      if (level.rest.empty()) {
+        levels_.pop_back();
+        continue;
+      }
+      const Object& object = *level.rest.front();
+      level.rest = level.rest.subspan(1);
+      enter(object, inside(object, level.inherited));
+    }
+  }
+
+ private:
+  struct Level {
+    std::span<const ObjectPtr> rest;
+    Inherited inherited;
+    std::size_t removed;  ///< by the sections around this level
+  };
+
+  void enter(const Object& object, Inherited here) {
+    if (const auto* group = std::get_if<std::shared_ptr<const Group>>(&object.content)) {
+      levels_.push_back({(*group)->children, std::move(here), removed_.size()});
+      return;
+    }
+    const Combination* combination = object.combination();
+    if (combination && combination->operation() == SetOperation::section) {
+      const auto operands = combination->operands();
+      for (const ObjectPtr& removed : operands.subspan(1)) {
+        removed_.push_back({removed, here.world_from_parent});
+      }
+      levels_.push_back({operands.first(1), std::move(here), removed_.size()});
+      return;
+    }
+    visit_({object, here.world_from_parent, here.material, here.name, here.interior, here.priority,
+            here.cut, removed_});
+  }
+
+  const std::function<void(const Leaf&)>& visit_;
+  std::vector<Level> levels_;
+  std::vector<Removed> removed_;
+};
 
 }  // namespace
 
 void for_each_leaf(std::span<const ObjectPtr> objects,
                    const std::function<void(const Leaf&)>& visit) {
-  const Transform identity;
-  const MaterialPtr plain = default_material();
-  for (const ObjectPtr& object : objects) visit_object(*object, {identity, plain, ""}, visit);
+  LeafWalk(visit).walk(objects);
 }
 
 }  // namespace lapidary::description

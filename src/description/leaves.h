@@ -8,14 +8,24 @@
 
 namespace lapidary::description {
 
-/// An object that is no group, as it stands in the world.
+/// A solid at its place.
+struct Removed {
+  ObjectPtr solid;
+  Transform world_from_parent;  ///< the solid's own placement comes before it
+};
+
+/// An object that is neither group nor section, as it stands in the world. What it was not told
+/// itself is that of the innermost thing around it that was.
 struct Leaf {
   const Object& object;
   const Transform& world_from_object;
-  /// Its own, else that of the innermost group around it that has one, else `default_material()`.
-  const MaterialPtr& material;
-  /// Its own, else that of the innermost group around it that has one, else empty.
-  std::string_view name;
+  const MaterialPtr& material;  ///< `default_material()` if nothing around it has one
+  std::string_view name;        ///< may be empty
+  const MaterialPtr& interior;  ///< may be null
+  std::int32_t priority;        ///< 0 if nothing around it has one
+  const Cut* cut;               ///< may be null
+  /// What sections take away, the outermost first.
+  std::span<const Removed> removed;
 };
 
 /// Calls `visit` for every leaf of `objects` in the order of writing. The references hold for the

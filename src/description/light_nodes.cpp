@@ -47,8 +47,10 @@ MaterialPtr emissive_material(const EmissionParameters& e, const Context& contex
 /// An object of shape `content` that wears the emission of `light`.
 template <typename T, typename Content>
 Node surface_light(Content content, LightOf<T>&& light, const Context& context) {
-  return object_node(std::move(content), {emissive_material(light, context), std::move(light.name)},
-                     context);
+  ObjectParameters common;
+  common.material = emissive_material(light, context);
+  common.name = std::move(light.name);
+  return object_node(std::move(content), std::move(common), context);
 }
 
 template <typename Model>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -10,9 +11,22 @@
 
 namespace lapidary::description {
 
-using bsdf::Glass;
 using bsdf::Matte;
 using bsdf::Metal;
+
+/// What a clear body does to light on its way through: after `distance` scene units it has the
+/// colour `color`, and after any other what Beer and Lambert say.
+struct Absorption {
+  Spectrum color;  ///< transmittance, in [0, 1]
+  double distance = 1;
+
+  bool operator==(const Absorption&) const = default;
+};
+
+/// The boundary of a clear body, and the body.
+struct Glass : bsdf::Glass {
+  std::optional<Absorption> absorption;  ///< none: perfectly clear
+};
 
 /// Gives light and reflects none. Light leaves the outside of solids and the front of sheets and
 /// meshes. Every object that wears it has the stated power of its own.
@@ -27,6 +41,11 @@ struct Material {
 };
 
 using MaterialPtr = std::shared_ptr<const Material>;
+
+/// Whether a body that wears it is filled with it.
+inline const Glass* as_glass(const Material& material) {
+  return std::get_if<Glass>(&material.model);
+}
 
 /// What an object wears that was given nothing: light grey, matte.
 MaterialPtr default_material();

@@ -124,21 +124,45 @@ NodeKind metal() {
   });
 }
 
+struct GlassParameters : bsdf::Glass {
+  std::optional<Spectrum> color;
+  std::optional<double> distance;
+};
+
+Glass to_glass(GlassParameters&& g, const Context& context) {
+  if (g.distance && !g.color) {
+    context.fail("takes 'distance' only with a 'color'",
+                 "light has that colour after the distance");
+  }
+  Glass glass{std::move(g), std::nullopt};
+  if (g.color) glass.absorption = Absorption{*std::move(g.color), g.distance.value_or(1.0)};
+  return glass;
+}
+
 NodeKind glass() {
-  Declaration<Glass> d(
+  using G = GlassParameters;
+  Declaration<G> d(
       {.name = "glass",
        .doc = "Clear: glass, water, gems.",
        .section = section,
        .examples = {"glass \"N-BK7\"", "glass(1.5)", "glass { \"N-BK7\", roughness = 0.1 }"}});
   d.parameter<GlassIndexReader>(
-       "ior", &Glass::index,
+       "ior", &G::index,
        {.doc = fmt::format("Index of refraction, or one of: {}.", fmt::join(glass_names(), ", ")),
         .range = {.min = 1, .max = 10},
         .shorthand = Shorthand::yes})
-      .parameter("roughness", &Glass::roughness,
-                 {.doc = roughness_doc, .range = schema::unit_interval});
-  return node_kind(std::move(d), [](Glass&& g, const Context& context) {
-    return material_node(std::move(g), context);
+      .parameter("roughness", &G::roughness, {.doc = roughness_doc, .range = schema::unit_interval})
+      .parameter<Optional<ReflectanceReader>>(
+          "color", &G::color,
+          {.doc = "What it tints: the colour of white light after 'distance' in it; clear when "
+                  "left out."})
+      .parameter("distance", &G::distance,
+                 {.doc = "How far light goes in it to have its 'color'.",
+                  .unit = schema::Unit::length,
+                  .range = schema::positive,
+                  .default_text = "1"});
+  return node_kind(std::move(d), [](G&& g, const Context& context) {
+    return material_node(to_glass(std::move(g), context), context);
   });
 }
 

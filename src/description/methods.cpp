@@ -140,14 +140,70 @@ ObjectPtr apply_material(const Object& object, const Value& argument, const sche
   return with_material(object, Reader<MaterialPtr>::read(argument, Context(call)));
 }
 
+/// A method of what encloses something, or holds what does.
+template <typename Change>
+Method solid_method(schema::NodeInfo info, Change change) {
+  return {std::move(info),
+          [change](const Object& object, const Value& argument, const schema::Call& call) {
+            const Context context(call);
+            if (std::holds_alternative<geometry::Sheet>(object.content)) {
+              context.fail("is for solids: a sheet encloses nothing");
+            }
+            return change(object, argument, context);
+          }};
+}
+
+Method apply_interior() {
+  return solid_method(info("interior", "The solid filled with a glass, whatever its surface wears.",
+                           {"tank:interior(glass \"water\")"}),
+                      [](const Object& object, const Value& argument, const Context& context) {
+                        return with_attributes(
+                            object, {.interior = InteriorReader::read(argument, context)});
+                      });
+}
+
+Method apply_priority() {
+  return solid_method(
+      info("priority", "Where solids overlap, the one of the greater number fills the overlap.",
+           {"ice:priority(1)"}),
+      [](const Object& object, const Value& argument, const Context& context) {
+        return with_attributes(object, {.priority = Reader<std::int32_t>::read(argument, context)});
+      });
+}
+
+Method apply_cut() {
+  return solid_method(
+      info("cut",
+           "Where it is cut it wears \"cutter\": what the cutter wears, if anything; \"inherit\": "
+           "what was cut; or a material.",
+           {"part:cut \"inherit\"", "part:cut(matte \"#c04030\")"}),
+      [](const Object& object, const Value& argument, const Context& context) {
+        return with_attributes(object, {.cut = CutReader::read(argument, context)});
+      });
+}
+
+Method apply_section() {
+  return solid_method(info("section", "The object without what is in a solid, to show the inside.",
+                           {"gearbox:section(half_space { normal = { 0, 1, 0 } })"}),
+                      [](const Object& object, const Value& argument, const Context& context) {
+                        return with_section(std::make_shared<Object>(object),
+                                            SolidReader::read(argument, context));
+                      });
+}
+
 }  // namespace
 
 std::vector<Method> object_methods() {
   return {
-      {info("material", "The object wearing a material; members of a group that wear one keep it.",
+      {info("material",
+            "The object wearing a material; parts of a group or a combination that wear one keep it.",
             {"ball:material(glass \"N-BK7\")",
              "ball:material(metal { \"gold\", roughness = 0.1 })"}),
        apply_material},
+      apply_interior(),
+      apply_priority(),
+      apply_cut(),
+      apply_section(),
       {info("name", "The object with a name, for reports and layers.", {"ball:name \"moon\""}),
        apply_name},
       motion(info("translate", "Moved by {x, y, z}; what is not named is 0.",

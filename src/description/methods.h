@@ -16,7 +16,7 @@ struct Method {
       apply;
 };
 
-/// material, name, translate, rotate, scale, mirror, transform.
+/// material, interior, priority, cut, section, name, translate, rotate, scale, mirror, transform.
 std::vector<Method> object_methods();
 
 }  // namespace lapidary::description

@@ -87,4 +87,35 @@ struct ObjectListReader {
   static std::string text(const std::vector<ObjectPtr>&) { return ""; }
 };
 
+/// What is wrong with `value` as an operand of Boolean operations, as "a rectangle encloses
+/// nothing: use a thin box"; empty when it is a solid.
+std::string why_no_solid(const schema::Value& value);
+
+/// An object that encloses something.
+struct SolidReader {
+  static std::string type() { return "solid"; }
+  static ObjectPtr read(const schema::Value& value, const schema::Context& context);
+  static std::string text(const ObjectPtr&) { return ""; }
+};
+
+/// Solids in lists of lists, flattened.
+struct SolidListReader {
+  static std::string type() { return "solids, in lists that may nest"; }
+  static std::vector<ObjectPtr> read(const schema::Value& value, const schema::Context& context);
+  static std::string text(const std::vector<ObjectPtr>&) { return ""; }
+};
+
+/// A material that can fill a solid.
+struct InteriorReader {
+  static std::string type() { return "glass"; }
+  static MaterialPtr read(const schema::Value& value, const schema::Context& context);
+  static std::string text(const MaterialPtr&) { return ""; }
+};
+
+struct CutReader {
+  static std::string type() { return "\"cutter\", \"inherit\" or material"; }
+  static std::optional<Cut> read(const schema::Value& value, const schema::Context& context);
+  static std::string text(const std::optional<Cut>&) { return ""; }
+};
+
 }  // namespace lapidary::description

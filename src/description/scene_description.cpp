@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "description/fold.h"
 #include "description/leaves.h"
 
 namespace lapidary::description {
@@ -11,18 +12,26 @@ bool emits(const MaterialPtr& material) {
   return material && std::holds_alternative<Emissive>(material->model);
 }
 
-bool emits(const Leaf& leaf) {
-  const auto* mesh = std::get_if<Mesh>(&leaf.object.content);
-  return emits(leaf.material) ||
-         (mesh && std::any_of(mesh->materials.begin(), mesh->materials.end(),
-                              [](const MaterialPtr& material) { return emits(material); }));
+/// Whether anything that `object` is made of wears Emissive.
+bool has_emissive_part(const Object& object) {
+  const auto worn = [](const Object& part) { return emits(part.material); };
+  return fold<char>(object, worn, [&](const Object& whole, std::span<const char> parts) {
+    return worn(whole) || std::any_of(parts.begin(), parts.end(), [](char part) { return part; });
+  });
 }
 
 }  // namespace
 
+bool gives_light(const Leaf& leaf) {
+  if (emits(leaf.material)) return true;
+  const auto* mesh = std::get_if<Mesh>(&leaf.object.content);
+  if (mesh) return std::any_of(mesh->materials.begin(), mesh->materials.end(), emits);
+  return leaf.object.combination() && has_emissive_part(leaf.object);
+}
+
 bool gives_light(std::span<const ObjectPtr> objects) {
   bool found = false;
-  for_each_leaf(objects, [&found](const Leaf& leaf) { found = found || emits(leaf); });
+  for_each_leaf(objects, [&found](const Leaf& leaf) { found = found || gives_light(leaf); });
   return found;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "description/camera.h"
+#include "description/leaves.h"
 #include "description/light.h"
 #include "description/object.h"
 #include "description/settings.h"
@@ -17,13 +18,16 @@ struct SceneDescription {
   std::optional<Camera> camera;
   std::vector<ObjectPtr> objects;  ///< lights with a surface included
   std::vector<Light> lights;
+  /// Taken away from all solids but those that give light, to show their insides; null: nothing.
+  ObjectPtr section;
   RenderSettings render;
   FilmSettings film;
   double metres_per_unit = 1;
   schema::CallSite where;
 };
 
-/// Whether any part of `objects` wears Emissive.
+/// Whether any part of it wears Emissive.
+bool gives_light(const Leaf& leaf);
 bool gives_light(std::span<const ObjectPtr> objects);
 
 /// Whether anything gives light: an entry of `lights`, or an object that wears Emissive.

@@ -20,7 +20,7 @@ NodeKind rectangle() {
                                           "rectangle { corner = { 0, 0, 0 }, edge_u = { 4, 0, 0 }, "
                                           "edge_v = { 0, 0, 3 } }"}});
   return node_kind(
-      declare_object(declare_rectangle(d)), [](Parameters&& r, const Context& context) {
+      declare_sheet(declare_rectangle(d)), [](Parameters&& r, const Context& context) {
         return object_node(geometry::Sheet(to_rectangle(r, context)), std::move(r), context);
       });
 }
@@ -32,7 +32,7 @@ NodeKind disk() {
        .doc = "A flat round sheet; it encloses nothing.",
        .section = section,
        .examples = {"disk { center = { 0, 0, 1 }, radius = 0.5, at = { 0, -5, 1 } }"}});
-  return node_kind(declare_object(declare_disk(d)), [](Parameters&& p, const Context& context) {
+  return node_kind(declare_sheet(declare_disk(d)), [](Parameters&& p, const Context& context) {
     return object_node(geometry::Sheet(to_disk(p, context)), std::move(p), context);
   });
 }

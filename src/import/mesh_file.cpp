@@ -45,7 +45,8 @@ description::ObjectPtr MeshFiles::read(const std::filesystem::path& file,
   auto fresh = std::make_shared<description::Object>();
   fresh->content = std::move(mesh);
   fresh->placement = upright(options.up.value_or(UpAxis::y));
-  fresh->name = std::make_shared<const std::string>(file.stem().string());
+  fresh->attributes = std::make_shared<const description::Attributes>(
+      description::Attributes{.name = file.stem().string()});
   fresh->where = {std::make_shared<const std::string>(file.string()), 0};
   return object = fresh;
 }

@@ -27,6 +27,7 @@ namespace {
 
 using description::Mesh;
 using description::Object;
+using description::ObjectPtr;
 using schema::Context;
 using schema::Declaration;
 using schema::Node;
@@ -43,11 +44,9 @@ Node mesh_from_file(Parameters&& m, MeshFiles& files, const Context& context) {
   if (!m.vertices.empty() || !m.faces.empty() || !m.normals.empty() || !m.uvs.empty()) {
     context.fail("takes either 'file' or lists of vertices and faces, not both");
   }
-  const auto read = files.read(m.file->path, {m.shading, m.up});
-  auto object = std::make_shared<Object>(*read);
-  if (m.material) object = std::make_shared<Object>(*with_material(*object, m.material));
-  if (!m.name.empty()) object->name = std::make_shared<const std::string>(m.name);
-  object->where = context.call().where;
+  Object read = *files.read(m.file->path, {m.shading, m.up});
+  read.where = context.call().where;
+  ObjectPtr object = with_parameters(std::move(read), std::move(m));
   return Node::of<Object>(context.call().node, std::move(object), sizeof(Object));
 }
 
@@ -57,14 +56,10 @@ Node mesh_from_lists(Parameters&& m, const Context& context) {
   }
   auto triangles = std::make_shared<const geometry::TriangleMesh>(to_mesh(m, m.shading, context));
   const std::size_t bytes = size_in_memory(*triangles);
-  const auto placement = upright(m.up.value_or(UpAxis::z));
-  Node node = description::object_node(Mesh{std::move(triangles), {}}, std::move(m), context);
-  node.bytes += bytes;
-  if (!placement) return node;
-  auto turned = std::make_shared<Object>(*node.as<Object>());
-  turned->placement = placement;
-  node.data = std::move(turned);
-  return node;
+  Object lists{Mesh{std::move(triangles), {}}, upright(m.up.value_or(UpAxis::z)), nullptr, nullptr,
+               context.call().where};
+  ObjectPtr object = with_parameters(std::move(lists), std::move(m));
+  return Node::of<Object>(context.call().node, std::move(object), sizeof(Object) + bytes);
 }
 
 Declaration<Parameters> declare_mesh() {

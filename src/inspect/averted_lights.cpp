@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "description/leaves.h"
+#include "description/solids.h"
 #include "geometry/placed_solid.h"
 #include "geometry/sheet.h"
 #include "geometry/triangle_mesh.h"
@@ -42,6 +43,9 @@ Box3d bounds_of(const Leaf& leaf) {
   }
   if (const auto* sheet = std::get_if<geometry::Sheet>(&leaf.object.content)) {
     return leaf.world_from_object.box(geometry::bounds(*sheet));
+  }
+  if (const auto* combination = leaf.object.combination()) {
+    return leaf.world_from_object.box(description::bounds(*combination));
   }
   const auto& mesh = std::get<description::Mesh>(leaf.object.content);
   return leaf.world_from_object.box(geometry::bounds(*mesh.triangles));

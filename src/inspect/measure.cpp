@@ -4,6 +4,7 @@
 #include <numbers>
 #include <variant>
 
+#include "description/solids.h"
 #include "geometry/affine_area.h"
 #include "geometry/placed_solid.h"
 #include "geometry/sheet.h"
@@ -68,6 +69,12 @@ Measure measure_of(const description::Mesh& mesh, const Transform& world_from_ob
   m.area = finite(area);
   m.volume = finite(world_from_object.mirrors() ? -volume : volume);
   return m;
+}
+
+/// Of combinations neither area nor volume is known.
+Measure measure_of(const description::Combination& combination,
+                   const Transform& world_from_object) {
+  return {world_from_object.box(description::bounds(combination)), std::nullopt, std::nullopt};
 }
 
 Measure measure_of(const std::shared_ptr<const description::Group>&, const Transform&) {

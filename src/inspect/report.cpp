@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "description/leaves.h"
+#include "description/solids.h"
 
 namespace lapidary::inspect {
 namespace {
@@ -13,6 +14,20 @@ struct KindOf {
   std::string operator()(const geometry::Sheet& sheet) const { return std::visit(*this, sheet); }
   std::string operator()(const description::Mesh&) const { return "mesh"; }
   std::string operator()(const std::shared_ptr<const description::Group>&) const { return "group"; }
+  std::string operator()(const description::Combination& combination) const {
+    switch (combination.operation()) {
+      case description::SetOperation::unite:
+        return "union";
+      case description::SetOperation::intersect:
+        return "intersection";
+      case description::SetOperation::complement:
+        return "complement";
+      case description::SetOperation::subtract:
+      case description::SetOperation::section:
+        break;
+    }
+    return "difference";
+  }
   std::string operator()(const geometry::Sphere&) const { return "sphere"; }
   std::string operator()(const geometry::Box&) const { return "box"; }
   std::string operator()(const geometry::Cylinder&) const { return "cylinder"; }
@@ -50,7 +65,8 @@ ObjectReport report_on(const description::Leaf& leaf, Closures& closures) {
   report.where = leaf.object.where.location();
   report.measure = measure(leaf);
   report.worn = worn_by(leaf);
-  report.closed = std::holds_alternative<geometry::Solid>(leaf.object.content);
+  report.closed = std::holds_alternative<geometry::Solid>(leaf.object.content) ||
+                  leaf.object.combination() != nullptr;
   if (const auto* mesh = std::get_if<description::Mesh>(&leaf.object.content)) {
     report.triangles = mesh->triangles->triangles.size();
     report.closure = closures.of(*mesh->triangles);
@@ -68,14 +84,15 @@ SceneReport inspect(const description::SceneDescription& scene) {
   std::vector<Body> bodies;
   description::for_each_leaf(scene.objects, [&](const description::Leaf& leaf) {
     const ObjectReport& surface = report.surfaces.emplace_back(report_on(leaf, closures));
-    if (surface.closed) {
+    // Whether combinations overlap others takes more than is known here.
+    if (surface.closed && !leaf.object.combination()) {
       bodies.push_back({&leaf.object, leaf.world_from_object, surface.measure.bounds,
                         report.surfaces.size() - 1});
     }
     report.lights += surface.worn.glow == Glow::none ? 0 : 1;
     if (surface.worn.glow == Glow::whole) return;
     ++report.objects;
-    report.operands += std::holds_alternative<geometry::Solid>(leaf.object.content) ? 1 : 0;
+    report.operands += description::operand_count(leaf.object);
     report.triangles += surface.triangles;
   });
   for (const description::Light& light : scene.lights) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "description/color_readers.h"
+#include "description/combine.h"
 #include "description/methods.h"
 #include "description/node_readers.h"
 #include "description/nodes.h"
@@ -89,6 +90,7 @@ std::vector<schema::NodeInfo> node_infos() {
   MeshFiles meshes;
   std::vector<schema::NodeInfo> infos;
   for (auto& kind : node_kinds(meshes)) infos.push_back(std::move(kind.info));
+  for (auto& info : description::operator_infos()) infos.push_back(std::move(info));
   for (auto& method : description::object_methods()) infos.push_back(std::move(method.info));
   infos.push_back(description::color_info());
   infos.push_back(Parameters::info());

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "description/combine.h"
 #include "lua/interpreter.h"
 #include "lua/values.h"
 #include "schema/suggest.h"
@@ -14,6 +15,7 @@ namespace {
 
 using description::Method;
 using description::Object;
+using description::SetOperation;
 using schema::Node;
 using schema::NodeKind;
 
@@ -93,21 +95,37 @@ int unknown_method(lua_State* L) {
 
 int no_method(lua_State* L) {
   const Node* node = node_at(L, 1);
-  throw Error({}, fmt::format("a {} has no '{}'", node ? node->kind : "node", key_at(L, 2)),
+  throw Error({},
+              fmt::format("{} has no '{}'", node ? schema::with_article(node->kind) : "a node",
+                          key_at(L, 2)),
               "only objects have methods");
 }
 
 int no_assignment(lua_State* L) {
   const Node* node = node_at(L, 1);
-  throw Error({}, fmt::format("a {} cannot be changed", node ? node->kind : "node"),
-              "methods return changed copies");
+  throw Error(
+      {}, fmt::format("{} cannot be changed", node ? schema::with_article(node->kind) : "a node"),
+      "methods return changed copies");
+}
+
+/// Upvalue 1: the SetOperation.
+int combine(lua_State* L) {
+  const auto operation = static_cast<SetOperation>(lua_tointeger(L, lua_upvalueindex(1)));
+  Interpreter& interpreter = Interpreter::of(L);
+  interpreter.arena().clear();
+  const schema::Value left = to_value(L, 1);
+  const schema::CallSite where = interpreter.call_site(L);
+  push_node(L, operation == SetOperation::complement
+                   ? description::complement(left, where)
+                   : description::combine(operation, left, to_value(L, 2), where));
+  return 1;
 }
 
 /// Upvalue 1: the operator's sign.
-int combine(lua_State* L) {
+int no_operator(lua_State* L) {
   const std::string_view sign = lua_tostring(L, lua_upvalueindex(1));
-  throw Error({}, fmt::format("combining solids with '{}' is not available in this version", sign),
-              "group { a, b } holds several objects together");
+  throw Error({}, fmt::format("there is no '{}' of solids", sign),
+              "there are a + b, a | b, a - b, a & b and ~a; solid:scale makes larger");
 }
 
 void set_function(lua_State* L, const char* field, lua_CFunction function) {
@@ -126,11 +144,23 @@ void new_node_metatable(lua_State* L, const char* type) {
 }
 
 void set_operators(lua_State* L) {
-  constexpr std::pair<const char*, const char*> operators[] = {
-      {"__add", "+"}, {"__sub", "-"}, {"__band", "&"}, {"__bor", "|"}, {"__bnot", "~"}};
-  for (const auto& [field, sign] : operators) {
-    lua_pushstring(L, sign);
+  constexpr std::pair<const char*, SetOperation> operators[] = {
+      {"__add", SetOperation::unite},
+      {"__bor", SetOperation::unite},
+      {"__sub", SetOperation::subtract},
+      {"__band", SetOperation::intersect},
+      {"__bnot", SetOperation::complement}};
+  for (const auto& [field, operation] : operators) {
+    lua_pushinteger(L, static_cast<lua_Integer>(operation));
     lua_pushcclosure(L, guarded<combine>, 1);
+    lua_setfield(L, -2, field);
+  }
+  constexpr std::pair<const char*, const char*> others[] = {
+      {"__mul", "*"},  {"__div", "/"},  {"__mod", "%"},  {"__pow", "^"},  {"__unm", "-"},
+      {"__bxor", "~"}, {"__shl", "<<"}, {"__shr", ">>"}, {"__idiv", "//"}};
+  for (const auto& [field, sign] : others) {
+    lua_pushstring(L, sign);
+    lua_pushcclosure(L, guarded<no_operator>, 1);
     lua_setfield(L, -2, field);
   }
 }
@@ -176,6 +206,7 @@ void push_node(lua_State* L, Node node) {
 void open_nodes(lua_State* L, std::span<const NodeKind> kinds, std::span<const Method> methods) {
   new_node_metatable(L, node_type);
   set_function(L, "__index", guarded<no_method>);
+  set_operators(L);
   lua_pop(L, 1);
 
   new_node_metatable(L, object_type);

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "description/leaves.h"
+#include "scene/assemble.h"
 #include "scene/prepare_camera.h"
 #include "scene/prepare_light.h"
 #include "scene/prepare_material.h"
@@ -20,23 +21,31 @@ class Builder {
  public:
   Builder(Scene::Parts& parts, double metres) : parts_(parts), lights_(metres) {}
 
-  void add(const Leaf& leaf);
+  enum class IsBody : bool { no, yes };
+
+  void add_solids(Solids&& solids);
+  /// Its name, and what it is unless it is one of the solids.
+  void add(const Leaf& leaf, IsBody is_body);
   geometry::World::Parts take_world() { return std::move(world_); }
 
  private:
-  void add_solid(const Leaf& leaf, const geometry::Solid& solid);
+  void add_light_of(const SolidRegion& region, const geometry::Expression& expression);
   void add_sheet(const Leaf& leaf, const geometry::Sheet& sheet);
   void add_mesh(const Leaf& leaf, const description::Mesh& mesh);
 
-  /// A slot for the object added last. Materials are prepared once, however many wear them.
-  Slot& add_slot(const MaterialPtr& material);
+  /// Materials are prepared once, however many wear them.
+  Slot& add_slot(const MaterialPtr& material, std::uint32_t object);
+  std::uint32_t last_object() const { return static_cast<std::uint32_t>(parts_.objects.size() - 1); }
+  std::uint32_t medium_number(const description::Glass& glass);
   void add_light(Slot& slot, light::Light light);
 
   Scene::Parts& parts_;
   SurfaceLights lights_;
   geometry::World::Parts world_;
   std::map<const description::Material*, std::uint32_t> material_index_;
-  std::vector<MaterialPtr> kept_;  ///< so that no address in the map is used twice
+  std::vector<MaterialPtr> kept_;  ///< those of `parts_.materials`, so that no address is used twice
+  std::vector<MaterialPtr> fillings_;
+  std::vector<const description::Glass*> media_;  ///< what media are, null for opaque ones
 };
 
 const description::Emission* emission_of(const description::Material& material) {
@@ -44,14 +53,19 @@ const description::Emission* emission_of(const description::Material& material) 
   return emissive == nullptr ? nullptr : &emissive->emission;
 }
 
-Slot& Builder::add_slot(const MaterialPtr& material) {
+medium::Medium medium_of(const description::Glass& glass) {
+  medium::Medium medium{glass.index, std::nullopt};
+  if (glass.absorption) medium.absorption = {glass.absorption->color, glass.absorption->distance};
+  return medium;
+}
+
+Slot& Builder::add_slot(const MaterialPtr& material, std::uint32_t object) {
   const auto [found, is_new] = material_index_.try_emplace(
       material.get(), static_cast<std::uint32_t>(parts_.materials.size()));
   if (is_new) {
     parts_.materials.push_back(prepare_material(*material));
     kept_.push_back(material);
   }
-  const auto object = static_cast<std::uint32_t>(parts_.objects.size() - 1);
   parts_.slots.push_back({object, found->second, Slot::no_light});
   return parts_.slots.back();
 }
@@ -61,31 +75,51 @@ void Builder::add_light(Slot& slot, light::Light light) {
   parts_.lights.push_back(std::move(light));
 }
 
-void Builder::add(const Leaf& leaf) {
+void Builder::add(const Leaf& leaf, IsBody is_body) {
   parts_.objects.push_back({std::string(leaf.name)});
-  if (const auto* solid = std::get_if<geometry::Solid>(&leaf.object.content)) {
-    add_solid(leaf, *solid);
-  } else if (const auto* sheet = std::get_if<geometry::Sheet>(&leaf.object.content)) {
+  if (is_body == IsBody::yes) return;
+  if (const auto* sheet = std::get_if<geometry::Sheet>(&leaf.object.content)) {
     add_sheet(leaf, *sheet);
   } else {
     add_mesh(leaf, std::get<description::Mesh>(leaf.object.content));
   }
 }
 
-void Builder::add_solid(const Leaf& leaf, const geometry::Solid& solid) {
-  const geometry::PlacedSolid placed(solid, leaf.world_from_object);
-  geometry::Region region;
-  region.root = world_.solids.expression.add(placed);
-  region.tag = static_cast<std::uint32_t>(parts_.slots.size());
-  region.medium = region.tag + 1;
-  if (std::holds_alternative<description::Glass>(leaf.material->model)) {
-    region.opacity = geometry::Opacity::transparent;
+/// Tags of solids are slots, so these come before all others.
+void Builder::add_solids(Solids&& solids) {
+  for (const SolidSlot& slot : solids.slots) add_slot(slot.material, slot.object);
+  for (const MaterialPtr& filling : solids.media) {
+    media_.push_back(filling ? description::as_glass(*filling) : nullptr);
+    if (filling) fillings_.push_back(filling);
+    parts_.media.push_back(media_.back() ? medium_of(*media_.back()) : medium::Medium{});
   }
-  world_.solids.regions.push_back(region);
-  Slot& slot = add_slot(leaf.material);
-  if (const auto* emission = emission_of(*leaf.material)) {
-    add_light(slot, lights_.solid(placed, *emission, leaf.object.where));
+  for (const SolidRegion& region : solids.regions) {
+    parts_.region_fillings.push_back({region.region.medium, region.region.priority, region.object});
+    world_.solids.regions.push_back(region.region);
+    add_light_of(region, solids.expression);
   }
+  world_.solids.expression = std::move(solids.expression);
+  world_.solids.assemblies = std::move(solids.assemblies);
+}
+
+void Builder::add_light_of(const SolidRegion& region, const geometry::Expression& expression) {
+  Slot& slot = parts_.slots[region.region.tag];
+  const auto* emission = emission_of(*kept_[slot.material]);
+  if (emission == nullptr) return;
+  const auto root = std::get<geometry::Expression::Term>(region.region.root);
+  add_light(slot,
+            lights_.solid(expression.leaves()[root.index()].solid, *emission, region.where));
+}
+
+/// The number of the medium that fills what wears this glass.
+std::uint32_t Builder::medium_number(const description::Glass& glass) {
+  for (std::uint32_t i = 1; i < media_.size(); ++i) {
+    if (media_[i] == nullptr) continue;
+    if (media_[i]->index == glass.index && media_[i]->absorption == glass.absorption) return i;
+  }
+  media_.push_back(&glass);
+  parts_.media.push_back(medium_of(glass));
+  return static_cast<std::uint32_t>(media_.size() - 1);
 }
 
 void Builder::add_sheet(const Leaf& leaf, const geometry::Sheet& sheet) {
@@ -95,7 +129,7 @@ void Builder::add_sheet(const Leaf& leaf, const geometry::Sheet& sheet) {
   }
   world_.sheets.push_back(geometry::transformed(sheet, leaf.world_from_object));
   parts_.sheet_slots.push_back(static_cast<std::uint32_t>(parts_.slots.size()));
-  Slot& slot = add_slot(leaf.material);
+  Slot& slot = add_slot(leaf.material, last_object());
   if (const auto* emission = emission_of(*leaf.material)) {
     add_light(slot, lights_.sheet(world_.sheets.back(), *emission));
   }
@@ -112,6 +146,12 @@ void Builder::add_mesh(const Leaf& leaf, const description::Mesh& mesh) {
   const geometry::MeshPlacement& placement =
       world_.meshes.emplace_back(mesh.triangles, leaf.world_from_object);
   parts_.mesh_slots.push_back(static_cast<std::uint32_t>(parts_.slots.size()));
+  Filling& filling = parts_.mesh_fillings.emplace_back();
+  const MaterialPtr& inside = leaf.interior ? leaf.interior : leaf.material;
+  if (const auto* glass = description::as_glass(*inside)) {
+    fillings_.push_back(inside);
+    filling = {medium_number(*glass), leaf.priority, last_object()};
+  }
   std::vector<std::vector<std::uint32_t>> by_part(std::max<std::size_t>(mesh.materials.size(), 1));
   for (const std::uint16_t part : triangles.materials) {
     if (part >= by_part.size()) by_part.resize(part + std::size_t{1});
@@ -129,7 +169,7 @@ void Builder::add_mesh(const Leaf& leaf, const description::Mesh& mesh) {
     }
   }
   for (std::size_t part = 0; part < by_part.size(); ++part) {
-    Slot& slot = add_slot(*worn[part]);
+    Slot& slot = add_slot(*worn[part], last_object());
     const auto* emission = emission_of(**worn[part]);
     if (emission != nullptr && !by_part[part].empty()) {
       add_light(slot, lights_.mesh(placement, by_part[part], *emission));
@@ -143,7 +183,19 @@ Scene build(const description::SceneDescription& description, const BuildOptions
   Scene::Parts parts;
   parts.camera = prepare_camera(description.camera.value(), options.size);
   Builder builder(parts, description.metres_per_unit);
-  description::for_each_leaf(description.objects, [&](const Leaf& leaf) { builder.add(leaf); });
+  Solids solids = assemble(description);
+  std::vector<bool> is_body;
+  for (const SolidRegion& region : solids.regions) {
+    is_body.resize(region.object + std::size_t{1});
+    is_body[region.object] = true;
+  }
+  builder.add_solids(std::move(solids));
+  std::size_t index = 0;
+  description::for_each_leaf(description.objects, [&](const Leaf& leaf) {
+    const bool body = index < is_body.size() && is_body[index];
+    builder.add(leaf, body ? Builder::IsBody::yes : Builder::IsBody::no);
+    ++index;
+  });
   for (const description::Light& light : description.lights) {
     parts.lights.push_back(prepare_light(light, description.metres_per_unit));
   }

@@ -32,6 +32,12 @@ const Slot& Scene::slot(const geometry::Hit& hit) const {
   return parts_.slots[parts_.mesh_slots[hit.index] + part];
 }
 
+std::uint32_t Scene::object_index(const geometry::Hit& hit) const {
+  if (hit.kind != geometry::SurfaceKind::solid) return slot(hit).object;
+  const bool enters = hit.crossing == geometry::Crossing::enter;
+  return parts_.region_fillings[enters ? hit.region_after : hit.region_before].object;
+}
+
 double Scene::size() const {
   const Box3d box = parts_.world.bounds();
   const double diagonal = box.empty() ? 0.0 : length(box.extent());

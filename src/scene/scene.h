@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -11,6 +12,7 @@
 #include "geometry/world.h"
 #include "light/light.h"
 #include "light/light_selector.h"
+#include "medium/medium.h"
 
 namespace lapidary::scene {
 
@@ -30,6 +32,18 @@ struct Slot {
   std::uint32_t object = 0;
   std::uint32_t material = 0;
   std::uint32_t light = no_light;
+};
+
+/// What a body is filled with, and how it stands among others that fill the same place: the
+/// greatest priority counts, and of equals the one written first.
+struct Filling {
+  std::uint32_t medium = 0;  ///< 0: what surrounds everything
+  std::int32_t priority = std::numeric_limits<std::int32_t>::min();
+  std::uint32_t object = std::numeric_limits<std::uint32_t>::max();
+
+  bool beats(const Filling& b) const {
+    return priority != b.priority ? priority > b.priority : object < b.object;
+  }
 };
 
 struct ObjectInfo {
@@ -53,6 +67,9 @@ class Scene {
     std::vector<ObjectInfo> objects;
     std::vector<PreparedMaterial> materials;
     std::vector<Slot> slots;
+    std::vector<medium::Medium> media;    ///< number 0 surrounds everything
+    std::vector<Filling> region_fillings; ///< of each region of the world's solids
+    std::vector<Filling> mesh_fillings;   ///< of each mesh placement; medium 0 where it is no glass
     /// First slot of each sheet and mesh placement of the world; of solids tags are slots.
     std::vector<std::uint32_t> sheet_slots, mesh_slots;
     std::vector<light::Light> lights;
@@ -67,6 +84,14 @@ class Scene {
   const PreparedMaterial& material(const Slot& slot) const {
     return parts_.materials[slot.material];
   }
+  /// The number, from 0, of the object that a hit is on.
+  std::uint32_t object_index(const geometry::Hit& hit) const;
+  const medium::Medium& medium(std::uint32_t number) const { return parts_.media[number]; }
+  /// Of a region of the world's solids, or of no region.
+  Filling region_filling(std::uint32_t region) const {
+    return region == geometry::SolidScene::no_region ? Filling{} : parts_.region_fillings[region];
+  }
+  Filling mesh_filling(std::uint32_t placement) const { return parts_.mesh_fillings[placement]; }
   const ObjectInfo& object(std::uint32_t index) const { return parts_.objects[index]; }
 
   const std::vector<light::Light>& lights() const { return parts_.lights; }

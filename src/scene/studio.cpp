@@ -5,6 +5,7 @@
 
 #include "camera/camera.h"
 #include "description/leaves.h"
+#include "description/solids.h"
 #include "geometry/placed_solid.h"
 
 namespace lapidary::scene {
@@ -37,6 +38,9 @@ Box3d bounds_of(const description::Leaf& leaf) {
     }
     return box;
   }
+  if (const auto* combination = leaf.object.combination()) {
+    return t.box(description::bounds(*combination));
+  }
   return {};
 }
 
@@ -59,9 +63,8 @@ description::MaterialPtr lamp(double radiance, Rgb tint) {
 }
 
 ObjectPtr object(auto content, description::MaterialPtr material, std::string name) {
-  Object made{std::move(content), nullptr, std::move(material), nullptr, {}};
-  made.name = std::make_shared<const std::string>(std::move(name));
-  return std::make_shared<const Object>(std::move(made));
+  const Object made{std::move(content), nullptr, std::move(material), nullptr, {}};
+  return description::with_name(made, std::move(name));
 }
 
 /// A square softbox of half side `half` at `center`, its front to `target`.

@@ -45,11 +45,18 @@ std::string Value::describe() const {
     case ValueKind::table:
       return describe_table(*table_);
     case ValueKind::node:
-      return fmt::format("a {}", node_->kind);
+      return with_article(node_->kind);
     case ValueKind::other:
       break;
   }
   return std::string(text_);
+}
+
+std::string with_article(std::string_view noun) {
+  // A word in u is said as in "unit" here: a union, a uniform one.
+  const bool vowel =
+      !noun.empty() && std::string_view("aeio").find(noun.front()) != std::string_view::npos;
+  return fmt::format("{} {}", vowel ? "an" : "a", noun);
 }
 
 Value ValueArena::table(std::span<const Value> items, std::span<const Field> fields) {

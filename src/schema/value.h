@@ -87,6 +87,9 @@ struct Table {
   std::span<const Field> fields;  ///< in ascending order of keys
 };
 
+/// "a sphere", "an intersection", "a union".
+std::string with_article(std::string_view noun);
+
 /// Where the parts of values live; what it gave out dies with it or with `clear`.
 class ValueArena {
  public:

@@ -22,6 +22,7 @@ class RefractiveIndex {
     double constant = 0;
     std::array<double, 3> b{};
     std::array<double, 3> c{};  ///< um^2
+    bool operator==(const Sellmeier&) const = default;
   };
   static RefractiveIndex sellmeier(const Sellmeier& coefficients);
   /// Precondition: `is_valid(table)`, all values above zero.
@@ -31,6 +32,7 @@ class RefractiveIndex {
   std::array<double, 4> at(const Wavelengths& wavelengths) const;
   /// Whether the index differs between wavelengths.
   bool dispersive() const;
+  bool operator==(const RefractiveIndex&) const = default;
 
  private:
   using Form = std::variant<double, Sellmeier, SpectrumTable>;

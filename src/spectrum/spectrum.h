@@ -17,6 +17,7 @@ struct SpectrumTable {
 
   /// Precondition: `is_valid`.
   double at(double nm) const;
+  bool operator==(const SpectrumTable&) const = default;
 };
 
 /// At least one value, all of them finite, and a positive step.
@@ -58,20 +59,28 @@ class Spectrum {
   /// Wavelengths from 360 to 830 nm in order, all whole ones among them: between two neighbours
   /// the spectrum is a polynomial of at most second degree.
   std::vector<double> knots() const;
+  /// Whether they were stated alike; tables are alike when their numbers are.
+  bool operator==(const Spectrum&) const = default;
 
  private:
   struct Constant {
     float value;
+    bool operator==(const Constant&) const = default;
   };
   struct Reflectance {
     Rgb rgb;
+    bool operator==(const Reflectance&) const = default;
   };
   struct Illuminant {
     Rgb rgb;
+    bool operator==(const Illuminant&) const = default;
   };
   struct Tabulated {
     std::shared_ptr<const SpectrumTable> table;
     float scale;
+    bool operator==(const Tabulated& b) const {
+      return scale == b.scale && (table == b.table || *table == *b.table);
+    }
   };
   using Form = std::variant<Constant, Reflectance, Illuminant, Tabulated>;
   explicit Spectrum(Form form) : form_(std::move(form)) {}

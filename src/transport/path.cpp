@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sampling/mis.h"
+#include "transport/interior.h"
 #include "transport/vertex.h"
 
 namespace lapidary::transport {
@@ -76,9 +77,19 @@ class Path {
 
   /// What a light sends along `ray_`, weighted against light sampling, which could have found it.
   SampledSpectrum light_met(std::uint32_t light, const light::LightHit& hit) const;
-  SampledSpectrum direct_light(const Vertex& vertex, const VertexPoints& points);
+  SampledSpectrum direct_light(const Vertex& vertex, const MediaPair& media,
+                               const VertexPoints& points);
   /// Turns `ray_` into the next direction; false when the path ends.
   bool scatter(const Vertex& vertex, const VertexPoints& points);
+  /// The media on both sides of what was hit.
+  MediaPair media_at(const Hit& hit, const Surface& surface) const;
+  /// Leads `ray_` on through a surface between media that are the same.
+  void pass_through(const Surface& surface);
+  /// Remembers that the ray goes from one side of the surface to the other.
+  void cross(const Surface& surface, Vec3d direction);
+  SampledSpectrum transmittance(std::uint32_t medium, double distance) const {
+    return medium::transmittance(scene_.medium(medium), distance, context_.wavelengths);
+  }
   bool survives_roulette(double u);
 
   const scene::Scene& scene_;
@@ -90,6 +101,7 @@ class Path {
   SampledSpectrum L_;
   Carried carried_ = Carried::all;
   Origin origin_;
+  MeshStack inside_;
   double index_squared_ = 1;  ///< undoes the radiance scaling of refraction for roulette
   int depth_ = 0;             ///< scattering events so far
 };
@@ -103,7 +115,8 @@ SampledSpectrum Path::light_met(std::uint32_t index, const light::LightHit& hit)
   return Le * static_cast<float>(power_heuristic(origin_.pdf, pdf_light));
 }
 
-SampledSpectrum Path::direct_light(const Vertex& vertex, const VertexPoints& points) {
+SampledSpectrum Path::direct_light(const Vertex& vertex, const MediaPair& media,
+                                   const VertexPoints& points) {
   if (scene_.light_selector() == nullptr) return {};
   const auto choice = scene_.light_selector()->choose(vertex.surface.p, points.light_choice());
   if (choice.probability == 0.0) return {};
@@ -125,7 +138,43 @@ SampledSpectrum Path::direct_light(const Vertex& vertex, const VertexPoints& poi
   const double pdf_light = choice.probability * sample->pdf;
   const double weight =
       sample->extent == light::Extent::delta ? 1.0 : power_heuristic(pdf_light, f.pdf);
-  return f.f_cos * sample->L * static_cast<float>(weight / pdf_light);
+  const bool back_where_it_came_from = (wi.z > 0.0) == (vertex.wo.z > 0.0);
+  const SampledSpectrum kept =
+      transmittance(back_where_it_came_from ? media.before : media.after, sample->distance);
+  return f.f_cos * sample->L * kept * static_cast<float>(weight / pdf_light);
+}
+
+MediaPair Path::media_at(const Hit& hit, const Surface& surface) const {
+  MediaPair media{inside_.medium(scene_, hit.region_before), 0};
+  if (hit.kind != SurfaceKind::triangle || scene_.mesh_filling(hit.index).medium == 0) {
+    media.after = inside_.medium(scene_, hit.region_after);
+    return media;
+  }
+  MeshStack behind = inside_;
+  if (dot(surface.geometric_normal, ray_.direction) < 0.0) {
+    behind.enter(hit.index);
+  } else {
+    behind.leave(hit.index);
+  }
+  media.after = behind.medium(scene_, hit.region_before);
+  return media;
+}
+
+void Path::cross(const Surface& surface, Vec3d direction) {
+  if (surface.kind != SurfaceKind::triangle || scene_.mesh_filling(surface.index).medium == 0) return;
+  if (dot(surface.geometric_normal, direction) < 0.0) {
+    inside_.enter(surface.index);
+  } else {
+    inside_.leave(surface.index);
+  }
+}
+
+void Path::pass_through(const Surface& surface) {
+  cross(surface, ray_.direction);
+  const double time = ray_.time;
+  ray_ = geometry::World::leave(surface, ray_.direction);
+  ray_.time = time;
+  origin_.lobe = Lobe::specular;  // next-event estimation ended here
 }
 
 bool Path::scatter(const Vertex& vertex, const VertexPoints& points) {
@@ -138,6 +187,7 @@ bool Path::scatter(const Vertex& vertex, const VertexPoints& points) {
   if (sample->carried == Carried::hero) carried_ = Carried::hero;
   index_squared_ *= sample->relative_index * sample->relative_index;
   origin_ = {vertex.surface.p, sample->pdf, sample->lobe};
+  if ((sample->wi.z > 0.0) != (vertex.wo.z > 0.0)) cross(vertex.surface, direction);
   const double time = ray_.time;
   ray_ = geometry::World::leave(vertex.surface, direction);
   ray_.time = time;
@@ -160,26 +210,36 @@ SampledSpectrum Path::trace(const Ray& camera_ray, FirstSurface& first) {
     ++context_.counters.nearest_queries;
     const Hit hit = scene_.world().nearest(ray_);
     if (hit.kind == SurfaceKind::none) {
+      beta_ *= transmittance(inside_.medium(scene_, hit.region_before), infinity);
       for (const std::uint32_t light : scene_.infinite_lights()) L_ += beta_ * light_met(light, {});
       break;
     }
     const Surface surface = scene_.world().surface(ray_, hit);
+    const MediaPair media = media_at(hit, surface);
+    beta_ *= transmittance(media.before, hit.t);  // directions have unit length
     const scene::Slot& slot = scene_.slot(hit);
     const scene::PreparedMaterial& material = scene_.material(slot);
     if (depth_ == 0) {
       const bool from_behind = dot(surface.shading_normal, ray_.direction) > 0.0;
       first = {material.albedo, from_behind ? -surface.shading_normal : surface.shading_normal,
-               camera::depth(scene_.camera(), surface.p), slot.object + 1};
+               camera::depth(scene_.camera(), surface.p), scene_.object_index(hit) + 1};
     }
     if (slot.light != scene::Slot::no_light) {
       L_ += beta_ * light_met(slot.light, {surface.p, surface.geometric_normal, surface.patch});
     }
+    const bool is_glass = std::holds_alternative<bsdf::Glass>(material.material);
+    if (is_glass && media.before == media.after) {
+      pass_through(surface);
+      --depth_;
+      continue;
+    }
     if (depth_ == settings_.max_depth || only_light_counts) break;
 
-    const Vertex vertex =
-        make_vertex(material, surface, ray_.direction, context_.wavelengths, carried_);
+    const Vertex vertex = make_vertex({material, surface, ray_.direction,
+                                       scene_.medium(media.before), scene_.medium(media.after)},
+                                      context_.wavelengths, carried_);
     const VertexPoints points(context_.points, depth_);
-    if (!is_specular(vertex.bsdf)) L_ += beta_ * direct_light(vertex, points);
+    if (!is_specular(vertex.bsdf)) L_ += beta_ * direct_light(vertex, media, points);
     if (!scatter(vertex, points)) break;
     if (!survives_roulette(points.roulette())) break;
     only_light_counts =

@@ -6,18 +6,23 @@ namespace {
 using bsdf::Bsdf;
 using bsdf::Carried;
 
-Bsdf bsdf_at(const bsdf::Matte& matte, const Wavelengths& wavelengths, Carried) {
+/// The media above and below the local z.
+struct Sides {
+  const medium::Medium &above, &below;
+};
+
+Bsdf bsdf_at(const bsdf::Matte& matte, const Sides&, const Wavelengths& wavelengths, Carried) {
   return make_bsdf(matte, wavelengths);
 }
-Bsdf bsdf_at(const bsdf::Metal& metal, const Wavelengths& wavelengths, Carried) {
+Bsdf bsdf_at(const bsdf::Metal& metal, const Sides&, const Wavelengths& wavelengths, Carried) {
   return make_bsdf(metal, wavelengths);
 }
-Bsdf bsdf_at(const bsdf::Glass& glass, const Wavelengths& wavelengths, Carried carried) {
-  // Media do not nest yet: every transparent body stands in air, whose index is one.
-  static const RefractiveIndex air = RefractiveIndex::constant(1.0);
-  return make_bsdf(glass, air, wavelengths, carried);
+Bsdf bsdf_at(const bsdf::Glass& glass, const Sides& sides, const Wavelengths& wavelengths,
+             Carried carried) {
+  return make_glass({sides.above.index.at(wavelengths), sides.below.index.at(wavelengths)},
+                    glass.roughness, carried);
 }
-Bsdf bsdf_at(const bsdf::Black& black, const Wavelengths&, Carried) {
+Bsdf bsdf_at(const bsdf::Black& black, const Sides&, const Wavelengths&, Carried) {
   return black;
 }
 
@@ -30,16 +35,17 @@ Vec3d usable_normal(const geometry::Surface& surface, Vec3d wo) {
 
 }  // namespace
 
-Vertex make_vertex(const scene::PreparedMaterial& material, const geometry::Surface& surface,
-                   Vec3d direction, const Wavelengths& wavelengths, Carried carried) {
-  const Vec3d wo = -direction;
-  Vec3d normal = usable_normal(surface, wo);
-  const bool transparent = std::holds_alternative<bsdf::Glass>(material.material);
+Vertex make_vertex(const Meeting& m, const Wavelengths& wavelengths, Carried carried) {
+  const Vec3d wo = -m.direction;
+  Vec3d normal = usable_normal(m.surface, wo);
+  const bool faces_ray = dot(wo, m.surface.geometric_normal) > 0.0;
+  const bool transparent = std::holds_alternative<bsdf::Glass>(m.material.material);
   if (!transparent && dot(wo, normal) < 0.0) normal = -normal;
   const Frame frame = Frame::from_normal(normal);
-  return {surface, frame, frame.to_local(wo),
-          std::visit([&](const auto& m) { return bsdf_at(m, wavelengths, carried); },
-                     material.material)};
+  const Sides sides{faces_ray ? m.before : m.after, faces_ray ? m.after : m.before};
+  return {m.surface, frame, frame.to_local(wo),
+          std::visit([&](const auto& kind) { return bsdf_at(kind, sides, wavelengths, carried); },
+                     m.material.material)};
 }
 
 }  // namespace lapidary::transport

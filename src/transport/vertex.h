@@ -18,9 +18,17 @@ struct Vertex {
   bsdf::Bsdf bsdf;
 };
 
-/// The vertex at a hit, seen from `-direction`.
-Vertex make_vertex(const scene::PreparedMaterial& material, const geometry::Surface& surface,
-                   Vec3d direction, const Wavelengths& wavelengths, bsdf::Carried carried);
+/// What a vertex is made of.
+struct Meeting {
+  const scene::PreparedMaterial& material;
+  const geometry::Surface& surface;
+  Vec3d direction;  ///< of the ray
+  /// On the ray's way here, and on the other side.
+  const medium::Medium &before, &after;
+};
+
+/// The vertex where a ray meets a surface.
+Vertex make_vertex(const Meeting& meeting, const Wavelengths& wavelengths, bsdf::Carried carried);
 
 /// Whether a world direction lies on the same side of the surface as it does of the shading
 /// normal. Where it does not, smooth normals would let light through an opaque surface.

@@ -163,15 +163,5 @@ TEST_F(Errors, NodesCannotBeChanged) {
               HasSubstr("write object:translate with a colon"));
 }
 
-TEST_F(Errors, CombiningSolidsIsNotThereYet) {
-  for (const char* combined : {"a - b", "a + b", "a & b", "a | b", "~a"}) {
-    EXPECT_THAT(error_of(std::string("local a, b = sphere {}, box { size = {1, 1, 1} }\nreturn ") +
-                         combined),
-                testing::AllOf(StartsWith("main.lua:2: combining solids with"),
-                               HasSubstr("not available in this version")))
-        << combined;
-  }
-}
-
 }  // namespace
 }  // namespace lapidary::lua

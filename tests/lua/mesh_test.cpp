@@ -28,7 +28,7 @@ TEST_F(MeshNode, ComesFromAFileStandingUpright) {
   EXPECT_EQ(mesh_of(objects[0]).triangles->triangles.size(), 1u);
   EXPECT_EQ(objects[0]->parent_from_object().point({0, 1, 0}), Vec3d(0, 0, 1));
   EXPECT_TRUE(objects[1]->parent_from_object().is_identity());
-  EXPECT_EQ(*objects[0]->name, "tri");
+  EXPECT_EQ(objects[0]->name(), "tri");
   EXPECT_EQ(objects[0]->where.location().line, 1);
   EXPECT_TRUE(has_light(loaded.scene));
 }

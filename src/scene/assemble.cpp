@@ -1,0 +1,267 @@
+#include "scene/assemble.h"
+
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "base/error.h"
+#include "description/fold.h"
+#include "description/leaves.h"
+#include "description/solids.h"
+#include "scene/solid_writer.h"
+
+namespace lapidary::scene {
+namespace {
+
+using description::Combination;
+using description::Leaf;
+using description::Material;
+using description::MaterialPtr;
+using description::Object;
+using description::SetOperation;
+using geometry::Expression;
+
+bool emits(const Material& material) {
+  return std::holds_alternative<description::Emissive>(material.model);
+}
+
+/// Numbers what fills bodies.
+class Media {
+ public:
+  explicit Media(std::vector<MaterialPtr>& list) : list_(list) { list_.push_back(nullptr); }
+
+  std::uint32_t number(const MaterialPtr& material) {
+    const auto [known, is_new] = by_material_.try_emplace(material.get(), next());
+    if (!is_new) return known->second;
+    if (const auto* glass = description::as_glass(*material)) {
+      const auto [equal, is_new_glass] = find_equal(*glass);
+      known->second = equal;
+      if (!is_new_glass) return equal;
+    }
+    list_.push_back(material);
+    return known->second;
+  }
+
+  /// Whether a body of the one continues in a body of the other.
+  static bool same(const Material& a, const Material& b) {
+    const auto *p = description::as_glass(a), *q = description::as_glass(b);
+    if (!p || !q) return !p && !q;  // nobody sees into opaque ones
+    return p->index == q->index && p->absorption == q->absorption;
+  }
+
+ private:
+  std::uint32_t next() const { return static_cast<std::uint32_t>(list_.size()); }
+
+  /// The number of the medium that equals `glass`, or the next one; and whether it is new.
+  std::pair<std::uint32_t, bool> find_equal(const description::Glass& glass) {
+    constexpr double yellow_nm = 589.3;  // enough to tell most glasses apart
+    const double index = glass.index.at(yellow_nm);
+    const auto [begin, end] = glasses_.equal_range(index);
+    for (auto it = begin; it != end; ++it) {
+      const description::Glass& other = *description::as_glass(*list_[it->second]);
+      if (other.index == glass.index && other.absorption == glass.absorption) {
+        return {it->second, false};
+      }
+    }
+    glasses_.emplace(index, next());
+    return {next(), true};
+  }
+
+  std::vector<MaterialPtr>& list_;
+  std::map<const Material*, std::uint32_t> by_material_;
+  std::multimap<double, std::uint32_t> glasses_;
+};
+
+/// What the parts of a solid say that it is filled with.
+struct Filling {
+  const MaterialPtr* material = nullptr;  ///< null: they do not say
+  bool disputed = false;
+
+  friend Filling operator+(const Filling& a, const Filling& b) {
+    if (!a.material || !b.material) return a.material ? a : b;
+    return {a.material, a.disputed || b.disputed || !Media::same(**a.material, **b.material)};
+  }
+};
+
+/// What fills `leaf`, whose parts wear what it does where they wear nothing themselves.
+const MaterialPtr& filling_of(const Leaf& leaf) {
+  if (leaf.interior) return leaf.interior;
+  if (leaf.object.material || !leaf.object.combination()) return leaf.material;
+  const auto own = [&](const Object& part) -> const MaterialPtr* {
+    if (part.attributes && part.attributes->interior) return &part.attributes->interior;
+    return part.material ? &part.material : nullptr;
+  };
+  const auto of_leaf = [&](const Object& part) {
+    const MaterialPtr* material = own(part);
+    return Filling{material ? material : &leaf.material};
+  };
+  const auto join = [&](const Object& whole, std::span<const Filling> parts) {
+    if (const MaterialPtr* material = own(whole)) return Filling{material};
+    Filling sum;
+    for (const Filling& part : parts) sum = sum + part;
+    return sum;
+  };
+  const Filling filling =
+      description::fold<Filling>(leaf.object, of_leaf, join, description::inner_parts_of);
+  if (filling.disputed) {
+    throw Error(leaf.object.where.location(),
+                "the parts of this solid disagree about what fills it: some wear a glass that "
+                "others do not",
+                "let the whole of it wear one material, or give it an 'interior'");
+  }
+  return filling.material ? *filling.material : leaf.material;
+}
+
+/// Which uses of a combination are alike but for their places.
+struct Design {
+  const void* list;
+  std::size_t operands;
+  SetOperation operation;
+  const description::Cut* cut;
+  bool has_material;  ///< then what is cut wears it, and else what was cut
+
+  auto operator<=>(const Design&) const = default;
+};
+
+std::optional<Design> design_of(const Leaf& leaf) {
+  const Combination* combination = leaf.object.combination();
+  if (!combination || !leaf.removed.empty()) return std::nullopt;
+  return Design{combination->list(), combination->operands().size(), combination->operation(),
+                leaf.cut, leaf.object.material != nullptr};
+}
+
+/// Takes the leaves of a scene one by one.
+class Assembler {
+ public:
+  explicit Assembler(const description::SceneDescription& scene)
+      : scene_(scene), media_(solids_.media) {}
+
+  Solids assemble() {
+    for_each_leaf([this](const Leaf& leaf) {
+      if (const auto design = design_of(leaf); design && !cut_by_scene_) ++uses_[*design].count;
+    });
+    for_each_leaf([this](const Leaf& leaf) {
+      if (is_body(leaf)) add(leaf);
+    });
+    return std::move(solids_);
+  }
+
+ private:
+  struct Uses {
+    std::size_t count = 0;
+    std::optional<std::uint32_t> assembly;
+  };
+
+  template <typename Visit>
+  void for_each_leaf(Visit visit) {
+    object_ = 0;
+    description::for_each_leaf(scene_.objects, [&](const Leaf& leaf) {
+      cut_by_scene_ = scene_.section && !gives_light(leaf);
+      visit(leaf);
+      ++object_;
+    });
+  }
+
+  /// Whether it takes part in Boolean operations; an uncut mesh need not.
+  bool is_body(const Leaf& leaf) const {
+    if (std::holds_alternative<geometry::Sheet>(leaf.object.content)) return false;
+    if (!std::holds_alternative<description::Mesh>(leaf.object.content)) return true;
+    return !leaf.removed.empty() || cut_by_scene_;
+  }
+
+  void add(const Leaf& leaf);
+  std::optional<geometry::Instance> instance_of(const Leaf& leaf);
+  Expression::Term root_of(const Leaf& leaf, SolidWriter& writer);
+  std::uint32_t slot(const MaterialPtr& material);
+  SolidWriter::TagOf tags(const Leaf& leaf);
+
+  const description::SceneDescription& scene_;
+  Solids solids_;
+  Media media_;
+  std::map<Design, Uses> uses_;
+  bool cut_by_scene_ = false;                           ///< whether the current leaf is
+  std::uint32_t object_ = 0;                            ///< number of the current leaf
+  std::map<const Material*, std::uint32_t> own_slots_;  ///< of the current leaf
+};
+
+std::uint32_t Assembler::slot(const MaterialPtr& material) {
+  const auto [found, is_new] =
+      own_slots_.try_emplace(material.get(), static_cast<std::uint32_t>(solids_.slots.size()));
+  if (is_new) solids_.slots.push_back({object_, material});
+  return found->second;
+}
+
+void refuse_light(const Object& object) {
+  throw Error(object.where.location(),
+              "a solid that is combined of several cannot give light in this version",
+              "let a single sphere, box or cylinder, a sheet or a mesh give it");
+}
+
+SolidWriter::TagOf Assembler::tags(const Leaf& leaf) {
+  return [this, &object = leaf.object](const MaterialPtr& material) {
+    if (emits(*material)) refuse_light(object);
+    return slot(material);
+  };
+}
+
+void Assembler::add(const Leaf& leaf) {
+  own_slots_.clear();
+  const bool cut = !leaf.removed.empty() || cut_by_scene_;
+  if (emits(*leaf.material) && (cut || leaf.object.combination())) refuse_light(leaf.object);
+  SolidRegion added;
+  added.object = object_;
+  added.where = leaf.object.where;
+  geometry::Region& region = added.region;
+  region.tag = slot(leaf.material);
+  const MaterialPtr& filling = filling_of(leaf);
+  region.medium = media_.number(filling);
+  region.priority = leaf.priority;
+  region.opacity =
+      description::as_glass(*filling) ? geometry::Opacity::transparent : geometry::Opacity::opaque;
+  if (const auto instance = instance_of(leaf)) {
+    region.root = *instance;
+  } else {
+    SolidWriter writer(solids_.expression, tags(leaf));
+    region.root = root_of(leaf, writer);
+  }
+  solids_.regions.push_back(std::move(added));
+}
+
+Expression::Term Assembler::root_of(const Leaf& leaf, SolidWriter& writer) {
+  std::vector<Expression::Term> terms{writer.write(leaf.object, leaf.world_from_object, leaf.cut)};
+  for (const description::Removed& removed : leaf.removed) {
+    terms.push_back(~writer.write_removed(*removed.solid, removed.world_from_parent, leaf.object));
+  }
+  if (cut_by_scene_) {
+    terms.push_back(~writer.write_removed(*scene_.section, {}, leaf.object));
+  }
+  return terms.size() == 1 ? terms.front()
+                           : solids_.expression.add(geometry::Operation::intersect, terms);
+}
+
+std::optional<geometry::Instance> Assembler::instance_of(const Leaf& leaf) {
+  const auto design = design_of(leaf);
+  if (!design || cut_by_scene_) return std::nullopt;
+  Uses& uses = uses_.at(*design);
+  if (uses.count < 2) return std::nullopt;
+  if (!uses.assembly) {
+    if (description::operand_count(leaf.object) <= largest_copied) {
+      uses.count = 1;  // not asked again
+      return std::nullopt;
+    }
+    geometry::Assembly assembly;
+    SolidWriter writer(assembly.expression, tags(leaf));
+    assembly.root = writer.write(leaf.object, {}, leaf.cut);
+    uses.assembly = static_cast<std::uint32_t>(solids_.assemblies.size());
+    solids_.assemblies.push_back(std::move(assembly));
+  }
+  return geometry::Instance{*uses.assembly, leaf.world_from_object};
+}
+
+}  // namespace
+
+Solids assemble(const description::SceneDescription& scene) {
+  return Assembler(scene).assemble();
+}
+
+}  // namespace lapidary::scene

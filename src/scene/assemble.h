@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "description/scene_description.h"
+#include "geometry/expression.h"
+
+namespace lapidary::scene {
+
+/// A solid object of the scene.
+struct SolidRegion {
+  geometry::Region region;   ///< its tag counts in `Solids::slots`
+  std::uint32_t object = 0;  ///< its number among the leaves of the scene
+  schema::CallSite where;
+};
+
+/// What some leaves of solids wear.
+struct SolidSlot {
+  std::uint32_t object = 0;  ///< as in SolidRegion; in assemblies, that of the first instance
+  description::MaterialPtr material;
+};
+
+/// All that encloses something in a scene, as Boolean expressions.
+struct Solids {
+  geometry::Expression expression;  ///< in the world
+  std::vector<geometry::Assembly> assemblies;
+  std::vector<SolidRegion> regions;  ///< in the order of writing
+  std::vector<SolidSlot> slots;      ///< what the tags of leaves and regions count in
+  /// The material that fills each medium, glass or opaque; that of number 0, which surrounds
+  /// everything, is null.
+  std::vector<description::MaterialPtr> media;
+};
+
+/// States the solids of `scene`: sheets are not among them, nor are meshes that nothing cuts. Parts
+/// that several combinations use are stated once for each place where they stand, and a combination
+/// of more than `largest_copied` leaves that stands in several places is stated once.
+///
+/// A leaf wears its own material, else that of the innermost combination around it that has one or,
+/// in what a difference takes away, that of what it is taken from, which comes after the
+/// difference's own; else what its region wears. `Cut` changes this for what is taken away.
+///
+/// The regions' media are numbered from 1, bodies of equal glass alike and opaque ones by what they
+/// wear. A combination is filled with its `interior` or its own material or, where it has neither,
+/// with what all its parts agree on.
+///
+/// Throws Error at the object where it is a mesh in an operation, where parts disagree about what
+/// fills the whole, where a solid of several leaves is to give light, or where there are more than
+/// `most_leaves` leaves.
+Solids assemble(const description::SceneDescription& scene);
+
+inline constexpr std::size_t largest_copied = 8;
+inline constexpr std::size_t most_leaves = std::size_t{1} << 24;
+
+}  // namespace lapidary::scene

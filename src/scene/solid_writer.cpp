@@ -1,0 +1,213 @@
+#include "scene/solid_writer.h"
+
+#include <bit>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "scene/assemble.h"
+
+namespace lapidary::scene {
+namespace {
+
+using description::Combination;
+using description::Cut;
+using description::Group;
+using description::MaterialPtr;
+using description::Object;
+using description::ObjectPtr;
+using description::SetOperation;
+using geometry::Expression;
+
+bool takes_away(SetOperation operation) {
+  return operation == SetOperation::subtract || operation == SetOperation::section;
+}
+
+std::size_t mixed(std::size_t hash, std::uint64_t more) {
+  // The finaliser of splitmix64 keeps what two neighbouring places differ in.
+  std::uint64_t x = hash + 0x9E3779B97F4A7C15u + more;
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+  return static_cast<std::size_t>(x ^ (x >> 31));
+}
+
+std::size_t mixed(std::size_t hash, Vec3d v) {
+  for (std::size_t i = 0; i < 3; ++i) hash = mixed(hash, std::bit_cast<std::uint64_t>(v[i]));
+  return hash;
+}
+
+std::size_t mixed(std::size_t hash, const void* p) {
+  return mixed(hash, std::uint64_t{reinterpret_cast<std::uintptr_t>(p)});
+}
+
+[[noreturn]] void refuse(const Object& operand) {
+  if (std::holds_alternative<description::Mesh>(operand.content)) {
+    throw Error(operand.where.location(), "a mesh cannot be combined with solids in this version",
+                "spheres, boxes, cylinders and half-spaces can");
+  }
+  throw Error(operand.where.location(), "a flat sheet encloses nothing that could be combined",
+              "use a thin box or a flat cylinder");
+}
+
+}  // namespace
+
+std::size_t SolidWriter::HashOfPlace::operator()(const Place& place) const {
+  std::size_t hash = mixed(place.operands, place.content);
+  for (const Vec3d& row : place.world_from_object.linear().row) hash = mixed(hash, row);
+  hash = mixed(hash, place.world_from_object.offset());
+  return mixed(mixed(hash, place.wear.worn()), place.wear.cut);
+}
+
+SolidWriter::Term SolidWriter::write(const Object& region, const Transform& world_from_region,
+                                     const Cut* cut) {
+  // That the region wears its material is what leaves inherit.
+  const Wear wear{nullptr, cut, false};
+  if (const auto* solid = std::get_if<geometry::Solid>(&region.content)) {
+    write_leaf(region, *solid, world_from_region, wear);
+  } else {
+    open(region, world_from_region, wear, Use::once);
+  }
+  return finish();
+}
+
+SolidWriter::Term SolidWriter::write_removed(const Object& removed,
+                                             const Transform& world_from_parent,
+                                             const Object& region) {
+  enter(removed, world_from_parent, wear_of_cutters(region, region.material, {}), Use::once);
+  return finish();
+}
+
+SolidWriter::Term SolidWriter::finish() {
+  while (!levels_.empty()) {
+    Level& level = levels_.back();
+    if (level.next < level.operands.objects.size()) {
+      const bool cutter = level.next > 0 && takes_away(level.place.operation);
+      const ObjectPtr& operand = level.operands.objects[level.next++];
+      const bool shared = level.operands.shared || operand.use_count() > 1;
+      // Entering may move the levels: what it is given must not lie in one.
+      const Transform world_from_parent = level.place.world_from_object;
+      const Wear wear = cutter ? level.cutters : level.place.wear;
+      enter(*operand, world_from_parent, wear, shared ? Use::shared : Use::once);
+      continue;
+    }
+    const Term term = close(level);
+    if (level.use == Use::shared) written_.emplace(level.place, term);
+    terms_.resize(level.first_term);
+    terms_.push_back(term);
+    levels_.pop_back();
+  }
+  const Term whole = terms_.back();
+  terms_.pop_back();
+  return whole;
+}
+
+void SolidWriter::enter(const Object& object, const Transform& world_from_parent, const Wear& above,
+                        Use use) {
+  Wear wear = above;
+  if (object.material && !wear.forced) wear.material = &object.material;
+  if (object.attributes && object.attributes->cut) wear.cut = &*object.attributes->cut;
+  const Transform world_from_object =
+      object.placement ? world_from_parent * *object.placement : world_from_parent;
+  const auto* solid = std::get_if<geometry::Solid>(&object.content);
+  if (!solid) return open(object, world_from_object, wear, use);
+  if (use == Use::once) return write_leaf(object, *solid, world_from_object, wear);
+  const Place place{&object, 0, SetOperation::unite, world_from_object, wear};
+  const auto found = written_.find(place);
+  if (found != written_.end()) return terms_.push_back(found->second);
+  write_leaf(object, *solid, world_from_object, wear);
+  written_.emplace(place, terms_.back());
+}
+
+void SolidWriter::open(const Object& object, const Transform& world_from_object, const Wear& wear,
+                       Use use) {
+  Level level;
+  level.place = {nullptr, 0, SetOperation::unite, world_from_object, wear};
+  if (const Combination* combination = object.combination()) {
+    level.place.content = combination->list();
+    level.place.operation = combination->operation();
+  } else if (const auto* group = std::get_if<std::shared_ptr<const Group>>(&object.content)) {
+    level.place.content = group->get();
+  } else {
+    refuse(object);
+  }
+  level.operands = parts_of(object);
+  level.place.operands = level.operands.objects.size();
+  // Objects that differ in what they are told may be made of the same operands.
+  if (use == Use::shared || level.operands.shared) level.use = Use::shared;
+  const bool differs = takes_away(level.place.operation);
+  if (differs) {
+    level.cutters = wear_of_cutters(*level.operands.objects.front(), object.material, wear);
+    if (level.place.operation == SetOperation::section) level.cutters.cut = nullptr;
+  }
+  level.first_term = terms_.size();
+  if (level.use == Use::shared) {
+    const auto found = written_.find(level.place);
+    if (found != written_.end()) return terms_.push_back(found->second);
+  }
+  levels_.push_back(std::move(level));
+}
+
+void SolidWriter::write_leaf(const Object& object, const geometry::Solid& solid,
+                             const Transform& world_from_object, const Wear& wear) {
+  if (expression_.leaves().size() >= most_leaves) {
+    throw Error(
+        object.where.location(),
+        fmt::format("a solid is made of more than {} parts, all copies counted", most_leaves),
+        "do copies of copies double it over and over?");
+  }
+  const geometry::SurfaceTag tag =
+      wear.material ? tag_of_(*wear.material) : geometry::inherited_surface;
+  terms_.push_back(expression_.add(geometry::PlacedSolid(solid, world_from_object), tag));
+}
+
+/// What those wear that are taken from `minuend` by a difference which wears `of_difference`, null
+/// for nothing, and is itself to wear `wear`.
+Wear SolidWriter::wear_of_cutters(const Object& minuend, const MaterialPtr& of_difference,
+                                  const Wear& wear) {
+  if (wear.forced) return wear;
+  Wear cutters = wear;
+  if (!of_difference) {
+    if (const MaterialPtr* surface = surface_of(minuend)) cutters.material = surface;
+  }
+  if (!wear.cut || wear.cut->rule == Cut::Rule::cutter) return cutters;
+  cutters.forced = true;
+  if (wear.cut->rule == Cut::Rule::material) cutters.material = &wear.cut->material;
+  return cutters;
+}
+
+/// What `object` wears by itself, without what is around it: its own material or that of what it is
+/// cut from. Null for nothing.
+const MaterialPtr* SolidWriter::surface_of(const Object& object) {
+  std::vector<const Object*> cut;  // on the way down to what has an answer
+  const Object* at = &object;
+  const MaterialPtr* surface = nullptr;
+  for (;;) {
+    const auto known = surfaces_.find(at);
+    if (known != surfaces_.end()) {
+      surface = known->second;
+      break;
+    }
+    if (at->material) surface = &at->material;
+    const Combination* combination = at->combination();
+    if (surface || !combination || !takes_away(combination->operation())) break;
+    cut.push_back(at);
+    at = combination->operands().front().get();
+  }
+  for (const Object* known : cut) surfaces_.emplace(known, surface);
+  return surface;
+}
+
+SolidWriter::Term SolidWriter::close(const Level& level) {
+  const std::span<Term> terms = std::span(terms_).subspan(level.first_term);
+  const SetOperation operation = level.place.operation;
+  if (operation == SetOperation::complement) return ~terms.front();
+  if (takes_away(operation)) {
+    for (Term& term : terms.subspan(1)) term = ~term;
+  }
+  if (terms.size() == 1) return terms.front();
+  const bool unites = operation == SetOperation::unite;
+  return expression_.add(unites ? geometry::Operation::unite : geometry::Operation::intersect,
+                         terms);
+}
+
+}  // namespace lapidary::scene

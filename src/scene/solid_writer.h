@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <unordered_map>
+#include <vector>
+
+#include "description/object.h"
+#include "geometry/expression.h"
+
+namespace lapidary::scene {
+
+/// What an operation hands down to its operands about what they wear.
+struct Wear {
+  const description::MaterialPtr* material = nullptr;  ///< null: what the region wears
+  const description::Cut* cut = nullptr;               ///< null: the cutter's
+  bool forced = false;                                 ///< whatever the operands wear themselves
+
+  const description::Material* worn() const { return material ? material->get() : nullptr; }
+  bool operator==(const Wear& b) const {
+    return worn() == b.worn() && cut == b.cut && forced == b.forced;
+  }
+};
+
+/// Writes the solids of one region as terms of an expression, without recursion, and each part once
+/// for each place where it stands and material that it wears. The objects must outlive it.
+class SolidWriter {
+ public:
+  using Term = geometry::Expression::Term;
+  /// The tag of leaves that wear a material.
+  using TagOf = std::function<geometry::SurfaceTag(const description::MaterialPtr&)>;
+
+  SolidWriter(geometry::Expression& expression, TagOf tag_of)
+      : expression_(expression), tag_of_(std::move(tag_of)) {}
+
+  /// The region's object itself, which the region wears the material of. Throws Error at what
+  /// cannot be an operand.
+  Term write(const description::Object& region, const Transform& world_from_region,
+             const description::Cut* cut);
+  /// A solid taken away from all of `region`; `world_from_parent` is where it stands before its own
+  /// placement.
+  Term write_removed(const description::Object& removed, const Transform& world_from_parent,
+                     const description::Object& region);
+
+ private:
+  /// A part where it stands: parts that are equal in all of this are the same term.
+  struct Place {
+    const void* content = nullptr;  ///< the solid, the group, or the list of operands
+    std::size_t operands = 0;
+    description::SetOperation operation = description::SetOperation::unite;
+    Transform world_from_object;
+    Wear wear;
+
+    bool operator==(const Place&) const = default;
+  };
+  struct HashOfPlace {
+    std::size_t operator()(const Place& place) const;
+  };
+
+  /// Whether a part can be met again.
+  enum class Use : bool { once, shared };
+
+  /// An operation whose operands are being written.
+  struct Level {
+    Place place;
+    description::Parts operands;
+    Wear cutters;                ///< what those wear that it takes away
+    std::size_t next = 0;        ///< operand to write
+    std::size_t first_term = 0;  ///< of those written
+    Use use = Use::once;
+  };
+
+  Term finish();
+  void enter(const description::Object& object, const Transform& world_from_parent,
+             const Wear& above, Use use);
+  void open(const description::Object& object, const Transform& world_from_object, const Wear& wear,
+            Use use);
+  void write_leaf(const description::Object& object, const geometry::Solid& solid,
+                  const Transform& world_from_object, const Wear& wear);
+  Wear wear_of_cutters(const description::Object& minuend,
+                       const description::MaterialPtr& of_difference, const Wear& wear);
+  const description::MaterialPtr* surface_of(const description::Object& object);
+  Term close(const Level& level);
+
+  geometry::Expression& expression_;
+  TagOf tag_of_;
+  std::vector<Level> levels_;
+  std::vector<Term> terms_;  ///< finished, of all levels
+  std::unordered_map<Place, Term, HashOfPlace> written_;
+  std::unordered_map<const description::Object*, const description::MaterialPtr*> surfaces_;
+};
+
+}  // namespace lapidary::scene
