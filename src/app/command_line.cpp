@@ -195,6 +195,10 @@ UsageError usage_error(const CLI::ParseError& error, const CLI::App& verb) {
     what.resize(what.find(' '));
     return UsageError(fmt::format("{} is missing", what), hint);
   }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    const std::string_view what = error.what();
+    return UsageError(fmt::format("{} needs a value", what.substr(0, what.find(':'))), hint);
+  }
   return UsageError(error.what(), hint);
 }
 
@@ -238,6 +242,23 @@ const Verb* find_verb(std::string_view name) {
   return found == verbs().end() ? nullptr : &*found;
 }
 
+UsageError unknown_verb(const std::string& name) {
+  if (name.starts_with('-')) {
+    return UsageError(fmt::format("unknown option '{}'", name),
+                      "without a verb there are --help and --version");
+  }
+  if (name.find('.') != std::string::npos) {
+    return UsageError(fmt::format("unknown verb '{}'", name),
+                      fmt::format("did you mean: lapidary render {}", name));
+  }
+  std::vector<std::string_view> names;
+  for (const Verb& verb : verbs()) names.push_back(verb.name);
+  const std::string suggestion = schema::did_you_mean(name, names);
+  return UsageError(
+      fmt::format("unknown verb '{}'", name),
+      suggestion.empty() ? "the verbs are render, check, compare and help" : suggestion);
+}
+
 }  // namespace
 
 Command parse_command_line(std::vector<std::string> arguments) {
@@ -247,12 +268,7 @@ Command parse_command_line(std::vector<std::string> arguments) {
   if (name == "--version") return ShowText{"lapidary " LAPIDARY_VERSION "\n"};
   if (name == "--help" || name == "-h") return HelpCommand{};
   const Verb* verb = find_verb(name);
-  if (verb == nullptr) {
-    const bool is_file = name.find('.') != std::string::npos;
-    throw UsageError(fmt::format("unknown verb '{}'", name),
-                     is_file ? fmt::format("did you mean: lapidary render {}", name)
-                             : "the verbs are render, check, compare and help");
-  }
+  if (verb == nullptr) throw unknown_verb(name);
   return verb->parse(*verb, std::move(arguments));
 }
 

@@ -13,33 +13,41 @@
 
 namespace lapidary::schema {
 
-/// What a message calls a node of type T: "a material".
+/// What a message calls a node of type T: "a material"; `hint` names some where people who do not
+/// know them yet may look for something else.
 template <typename T>
 struct NodeWord;
 template <>
 struct NodeWord<description::Object> {
   static constexpr std::string_view type = "object";
   static constexpr std::string_view wanted = "an object";
+  static constexpr std::string_view hint = "";
 };
 template <>
 struct NodeWord<description::Material> {
   static constexpr std::string_view type = "material";
   static constexpr std::string_view wanted = "a material";
+  static constexpr std::string_view hint =
+      "materials are matte, metal, glass and emissive, as in metal \"gold\"";
 };
 template <>
 struct NodeWord<description::Light> {
   static constexpr std::string_view type = "light";
   static constexpr std::string_view wanted = "a light";
+  static constexpr std::string_view hint = "";
 };
 template <>
 struct NodeWord<description::Camera> {
   static constexpr std::string_view type = "camera";
   static constexpr std::string_view wanted = "a camera";
+  static constexpr std::string_view hint =
+      "cameras are perspective and orthographic, as in perspective { from = { 4, -7, 4 } }";
 };
 template <>
 struct NodeWord<Spectrum> {
   static constexpr std::string_view type = "spectrum";
   static constexpr std::string_view wanted = "a spectrum";
+  static constexpr std::string_view hint = "spectra are spectrum { ... } and blackbody(kelvin)";
 };
 
 /// Null when `value` is no node of type T.
@@ -57,7 +65,7 @@ struct Reader<std::shared_ptr<const T>> {
   static std::string type() { return std::string(NodeWord<T>::type); }
   static std::shared_ptr<const T> read(const Value& value, const Context& context) {
     auto node = node_as<T>(value);
-    if (!node) fail_type(NodeWord<T>::wanted, value, context);
+    if (!node) fail_type(NodeWord<T>::wanted, value, context, NodeWord<T>::hint);
     return node;
   }
   static std::string text(const std::shared_ptr<const T>&) { return ""; }

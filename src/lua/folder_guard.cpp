@@ -29,12 +29,14 @@ bool within(const fs::path& path, const fs::path& root) {
   return root_end == root.end();
 }
 
-/// "did you mean 'duck.obj'?", from the files beside `missing`.
+}  // namespace
+
 std::string similar_file(const fs::path& missing) {
   constexpr std::size_t most = 1000;  // a suggestion is not worth reading a huge folder
   std::vector<std::string> names;
   std::error_code problem;
-  for (fs::directory_iterator it(missing.parent_path(), problem), end;
+  const fs::path folder = missing.has_parent_path() ? missing.parent_path() : fs::path(".");
+  for (fs::directory_iterator it(folder, problem), end;
        !problem && it != end && names.size() < most; it.increment(problem)) {
     names.push_back(it->path().filename().string());
   }
@@ -42,8 +44,6 @@ std::string similar_file(const fs::path& missing) {
   const std::vector<std::string_view> views(names.begin(), names.end());
   return schema::did_you_mean(missing.filename().string(), views);
 }
-
-}  // namespace
 
 FolderGuard::FolderGuard(const fs::path& scene_folder, const std::vector<fs::path>& allowed)
     : scene_folder_(scene_folder) {

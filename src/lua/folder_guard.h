@@ -9,6 +9,9 @@
 
 namespace lapidary::lua {
 
+/// "did you mean 'duck.obj'?", from the files beside `missing`; empty when none has such a name.
+std::string similar_file(const std::filesystem::path& missing);
+
 /// Lets a scene reach the files under its own folder, under folders it was allowed, and files it
 /// was given, and no others: symbolic links and ".." are followed first.
 class FolderGuard : public schema::FileAccess {

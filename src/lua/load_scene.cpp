@@ -56,7 +56,9 @@ SceneDescription returned_scene(const schema::Value& value, const schema::CallSi
 void check_exists(const fs::path& scene) {
   std::error_code problem;
   const fs::file_status status = fs::status(scene, problem);
-  if (!fs::exists(status)) throw file_error(scene.string(), "does not exist");
+  if (!fs::exists(status)) {
+    throw file_error(scene.string(), "does not exist", similar_file(scene));
+  }
   if (!fs::is_regular_file(status)) throw file_error(scene.string(), "is not a file");
 }
 

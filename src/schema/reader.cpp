@@ -6,10 +6,11 @@
 
 namespace lapidary::schema {
 
-void fail_type(std::string_view wanted, const Value& value, const Context& context) {
+void fail_type(std::string_view wanted, const Value& value, const Context& context,
+               std::string_view hint) {
   const bool uncalled = value.kind() == ValueKind::other && value.describe() == "a function";
   context.fail(fmt::format("must be {}, not {}", wanted, value.describe()),
-               uncalled ? "call it: name { ... }" : "");
+               std::string(uncalled ? "call it: name { ... }" : hint));
 }
 
 double Reader<double>::read(const Value& value, const Context& context) {

@@ -29,8 +29,9 @@ namespace lapidary::schema {
 template <typename T>
 struct Reader;
 
-/// "must be WANTED, not SHOWN".
-[[noreturn]] void fail_type(std::string_view wanted, const Value& value, const Context& context);
+/// "must be WANTED, not SHOWN"; a hint that the value itself calls for comes before `hint`.
+[[noreturn]] void fail_type(std::string_view wanted, const Value& value, const Context& context,
+                            std::string_view hint = "");
 
 template <>
 struct Reader<double> {

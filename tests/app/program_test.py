@@ -111,6 +111,17 @@ class Help(ProgramTest):
     def test_states_its_version(self):
         self.assertRegex(self.succeed("--version").stdout, r"^lapidary \d+\.\d+\.\d+\n$")
 
+    def test_hints_at_what_was_meant(self):
+        self.write("a.lua", BALL)
+        for arguments, message in (
+                (("rendr", "a.lua"), "did you mean 'render'?"),
+                (("a.lua",), "did you mean: lapidary render a.lua"),
+                (("-v",), "without a verb there are --help and --version"),
+                (("render", "a.lua", "--samples"), "error: --samples needs a value\n"),
+                (("render", "a.lua", "--sample", "3"), "did you mean '--samples'?")):
+            self.assertIn(message, self.fail_with(2, *arguments))
+        self.assertIn("did you mean 'a.lua'?", self.fail_with(3, "render", "aa.lua"))
+
     def test_wrong_usage(self):
         self.write("a.lua", BALL)
         for arguments in ((), ("paint",), ("render",), ("render", "a.lua", "--speed", "3"),

@@ -13,6 +13,13 @@ class Errors : public SceneFile {};
 TEST_F(Errors, OfFiles) {
   EXPECT_THROW(load_scene(folder_ / "absent.lua"), Error);
   EXPECT_THROW(load_scene(folder_), Error);
+  const auto right = write("scene/ball.lua", "return {}");
+  try {
+    load_scene(folder_ / "scene/bal.lua");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.hint(), "did you mean 'ball.lua'?");
+  }
   EXPECT_THAT(error_of(""), StartsWith("main.lua: the file returns no scene (end the file with"));
   EXPECT_THAT(error_of("return 5"), StartsWith("main.lua: the file returns 5, not a scene"));
   EXPECT_THAT(error_of("return glass(1.5)"), HasSubstr("returns a glass, not a scene"));
@@ -49,6 +56,10 @@ TEST_F(Errors, OfParameters) {
               HasSubstr("must be a finite number, not inf"));
   EXPECT_THAT(error_of("return sphere { material = glass }"),
               HasSubstr("must be a material, not a function (call it: name { ... })"));
+  EXPECT_THAT(error_of("return sphere { material = 'gold' }"),
+              HasSubstr("must be a material, not the string 'gold' (materials are matte, metal"));
+  EXPECT_THAT(error_of("return scene { camera = { from = { 0, 0, 5 } } }"),
+              HasSubstr("(cameras are perspective and orthographic, as in"));
   EXPECT_THAT(error_of("return sphere { center = {1, 2, nil} }"),
               HasSubstr("must be three numbers {x, y, z}"));
   EXPECT_THAT(error_of("return sphere { [true] = 1 }"), HasSubstr("a key that is a boolean"));
