@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "scene/assemble.h"
 
 namespace lapidary::scene {
 namespace {
@@ -149,11 +148,10 @@ void SolidWriter::open(const Object& object, const Transform& world_from_object,
 
 void SolidWriter::write_leaf(const Object& object, const geometry::Solid& solid,
                              const Transform& world_from_object, const Wear& wear) {
-  if (expression_.leaves().size() >= most_leaves) {
-    throw Error(
-        object.where.location(),
-        fmt::format("a solid is made of more than {} parts, all copies counted", most_leaves),
-        "do copies of copies double it over and over?");
+  if (expression_.leaves().size() >= most_) {
+    throw Error(object.where.location(),
+                fmt::format("the solids have more than {} parts, all copies counted", most_),
+                "do copies of copies double it over and over?");
   }
   const geometry::SurfaceTag tag =
       wear.material ? tag_of_(*wear.material) : geometry::inherited_surface;
