@@ -64,6 +64,7 @@ ObjectReport report_on(const description::Leaf& leaf, Closures& closures) {
     report.closed = report.closure->closed();
     if (!report.closed) report.measure.volume.reset();
   }
+  if (!leaf.removed.empty()) report.measure.area = report.measure.volume = std::nullopt;
   return report;
 }
 
@@ -76,7 +77,7 @@ SceneReport inspect(const description::SceneDescription& scene) {
   description::for_each_leaf(scene.objects, [&](const description::Leaf& leaf) {
     const ObjectReport& object = report.objects.emplace_back(report_on(leaf, closures));
     // Whether combinations overlap others takes more than is known here.
-    if (object.closed && !leaf.object.combination()) {
+    if (object.closed && !leaf.object.combination() && leaf.removed.empty()) {
       bodies.push_back(
           {&leaf.object, leaf.world_from_object, object.measure.bounds, report.objects.size() - 1});
     }
