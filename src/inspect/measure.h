@@ -17,7 +17,7 @@ struct Measure {
   std::optional<double> volume;
 };
 
-/// Precondition: the leaf's content is no group.
+/// Of the whole, sections or not. Precondition: the leaf's content is no group.
 Measure measure(const description::Leaf& leaf);
 
 }  // namespace lapidary::inspect

@@ -73,6 +73,7 @@ ObjectReport report_on(const description::Leaf& leaf, Closures& closures) {
     report.closed = report.closure->closed();
     if (!report.closed) report.measure.volume.reset();
   }
+  if (!leaf.removed.empty()) report.measure.area = report.measure.volume = std::nullopt;
   return report;
 }
 
@@ -85,7 +86,7 @@ SceneReport inspect(const description::SceneDescription& scene) {
   description::for_each_leaf(scene.objects, [&](const description::Leaf& leaf) {
     const ObjectReport& surface = report.surfaces.emplace_back(report_on(leaf, closures));
     // Whether combinations overlap others takes more than is known here.
-    if (surface.closed && !leaf.object.combination()) {
+    if (surface.closed && !leaf.object.combination() && leaf.removed.empty()) {
       bodies.push_back({&leaf.object, leaf.world_from_object, surface.measure.bounds,
                         report.surfaces.size() - 1});
     }

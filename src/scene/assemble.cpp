@@ -133,8 +133,8 @@ std::optional<Design> design_of(const Leaf& leaf) {
 /// Takes the leaves of a scene one by one.
 class Assembler {
  public:
-  explicit Assembler(const description::SceneDescription& scene)
-      : scene_(scene), media_(solids_.media) {}
+  Assembler(const description::SceneDescription& scene, std::size_t most)
+      : scene_(scene), most_(most), media_(solids_.media) {}
 
   Solids assemble() {
     for_each_leaf([this](const Leaf& leaf) {
@@ -176,6 +176,7 @@ class Assembler {
   SolidWriter::TagOf tags(const Leaf& leaf);
 
   const description::SceneDescription& scene_;
+  std::size_t most_;  ///< leaves of an expression
   Solids solids_;
   Media media_;
   std::map<Design, Uses> uses_;
@@ -221,7 +222,7 @@ void Assembler::add(const Leaf& leaf) {
   if (const auto instance = instance_of(leaf)) {
     region.root = *instance;
   } else {
-    SolidWriter writer(solids_.expression, tags(leaf));
+    SolidWriter writer(solids_.expression, tags(leaf), most_);
     region.root = root_of(leaf, writer);
   }
   solids_.regions.push_back(std::move(added));
@@ -250,7 +251,7 @@ std::optional<geometry::Instance> Assembler::instance_of(const Leaf& leaf) {
       return std::nullopt;
     }
     geometry::Assembly assembly;
-    SolidWriter writer(assembly.expression, tags(leaf));
+    SolidWriter writer(assembly.expression, tags(leaf), most_);
     assembly.root = writer.write(leaf.object, {}, leaf.cut);
     uses.assembly = static_cast<std::uint32_t>(solids_.assemblies.size());
     solids_.assemblies.push_back(std::move(assembly));
@@ -260,8 +261,8 @@ std::optional<geometry::Instance> Assembler::instance_of(const Leaf& leaf) {
 
 }  // namespace
 
-Solids assemble(const description::SceneDescription& scene) {
-  return Assembler(scene).assemble();
+Solids assemble(const description::SceneDescription& scene, std::size_t most) {
+  return Assembler(scene, most).assemble();
 }
 
 }  // namespace lapidary::scene

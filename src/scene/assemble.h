@@ -21,6 +21,10 @@ struct SolidSlot {
   description::MaterialPtr material;
 };
 
+inline constexpr std::size_t largest_copied = 8;
+/// Copies of copies can ask for more than any machine holds.
+inline constexpr std::size_t most_leaves = std::size_t{1} << 24;
+
 /// All that encloses something in a scene, as Boolean expressions.
 struct Solids {
   geometry::Expression expression;  ///< in the world
@@ -46,10 +50,7 @@ struct Solids {
 ///
 /// Throws Error at the object where it is a mesh in an operation, where parts disagree about what
 /// fills the whole, where a solid of several leaves is to give light, or where there are more than
-/// `most_leaves` leaves.
-Solids assemble(const description::SceneDescription& scene);
-
-inline constexpr std::size_t largest_copied = 8;
-inline constexpr std::size_t most_leaves = std::size_t{1} << 24;
+/// `most` leaves.
+Solids assemble(const description::SceneDescription& scene, std::size_t most = most_leaves);
 
 }  // namespace lapidary::scene

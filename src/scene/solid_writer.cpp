@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "scene/assemble.h"
 
 namespace lapidary::scene {
 namespace {
@@ -134,11 +133,13 @@ void SolidWriter::open(const Object& object, const Transform& world_from_object,
   level.place.operands = level.operands.objects.size();
   // Objects that differ in what they are told may be made of the same operands.
   if (use == Use::shared || level.operands.shared) level.use = Use::shared;
-  const bool differs = takes_away(level.place.operation);
-  if (differs) {
+  if (takes_away(level.place.operation)) {
     level.cutters = wear_of_cutters(*level.operands.objects.front(), object.material, wear);
     if (level.place.operation == SetOperation::section) level.cutters.cut = nullptr;
   }
+  const std::size_t leaves = expression_.leaves().size(), more = level.place.operands;
+  // Of many operands most are leaves; fewer must not make room, or it would be made too often.
+  if (more > leaves) expression_.reserve(leaves + more, expression_.nodes().size() + 1);
   level.first_term = terms_.size();
   if (level.use == Use::shared) {
     const auto found = written_.find(level.place);
@@ -149,11 +150,10 @@ void SolidWriter::open(const Object& object, const Transform& world_from_object,
 
 void SolidWriter::write_leaf(const Object& object, const geometry::Solid& solid,
                              const Transform& world_from_object, const Wear& wear) {
-  if (expression_.leaves().size() >= most_leaves) {
-    throw Error(
-        object.where.location(),
-        fmt::format("a solid is made of more than {} parts, all copies counted", most_leaves),
-        "do copies of copies double it over and over?");
+  if (expression_.leaves().size() >= most_) {
+    throw Error(object.where.location(),
+                fmt::format("the solids have more than {} parts, all copies counted", most_),
+                "do copies of copies double it over and over?");
   }
   const geometry::SurfaceTag tag =
       wear.material ? tag_of_(*wear.material) : geometry::inherited_surface;

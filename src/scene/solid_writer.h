@@ -30,11 +30,12 @@ class SolidWriter {
   /// The tag of leaves that wear a material.
   using TagOf = std::function<geometry::SurfaceTag(const description::MaterialPtr&)>;
 
-  SolidWriter(geometry::Expression& expression, TagOf tag_of)
-      : expression_(expression), tag_of_(std::move(tag_of)) {}
+  /// `most` is how many leaves the expression may come to have.
+  SolidWriter(geometry::Expression& expression, TagOf tag_of, std::size_t most)
+      : expression_(expression), tag_of_(std::move(tag_of)), most_(most) {}
 
   /// The region's object itself, which the region wears the material of. Throws Error at what
-  /// cannot be an operand.
+  /// cannot be an operand, and at the leaf that is one too many.
   Term write(const description::Object& region, const Transform& world_from_region,
              const description::Cut* cut);
   /// A solid taken away from all of `region`; `world_from_parent` is where it stands before its own
@@ -84,6 +85,7 @@ class SolidWriter {
 
   geometry::Expression& expression_;
   TagOf tag_of_;
+  std::size_t most_;
   std::vector<Level> levels_;
   std::vector<Term> terms_;  ///< finished, of all levels
   std::unordered_map<Place, Term, HashOfPlace> written_;

@@ -49,6 +49,37 @@ TEST(Report, AMeshOfWhichAPartGlowsIsObjectAndLight) {
   EXPECT_EQ(report.triangles, 12u);
 }
 
+TEST(Report, ACombinationIsOneObjectOfManyOperands) {
+  const auto ball = make_object(geometry::Sphere{{0, 0, 5}, 1});
+  const auto hole = make_object(geometry::Sphere{{0, 0, 6}, 1});
+  const auto drilled = combined(description::SetOperation::subtract, ball, hole, {});
+  description::SceneDescription scene;
+  scene.objects = {
+      drilled, combined(description::SetOperation::intersect, drilled, complemented(hole, {}), {}),
+      with_section(ball, hole)};
+  const SceneReport report = inspect(scene);
+  ASSERT_EQ(report.surfaces.size(), 3u);
+  EXPECT_EQ(report.surfaces[0].kind, "difference");
+  EXPECT_EQ(report.surfaces[1].kind, "intersection");
+  EXPECT_EQ(report.surfaces[2].kind, "sphere");
+  EXPECT_TRUE(report.surfaces[0].closed);
+  EXPECT_EQ(report.operands, 6u);
+  EXPECT_NEAR(report.surfaces[1].measure.bounds.max.z, 6, 1e-12);
+  EXPECT_FALSE(report.surfaces[0].measure.area);
+  EXPECT_FALSE(report.surfaces[0].measure.volume);
+  EXPECT_FALSE(report.surfaces[2].measure.volume) << "of a part of the sphere";
+}
+
+TEST(Report, CombinationsCanGiveLight) {
+  auto lamp = std::make_shared<description::Material>();
+  lamp->model = description::Emissive{};
+  const auto ball = make_object(geometry::Sphere{}), bulb = with_material(*ball, lamp);
+  const auto drilled = combined(description::SetOperation::subtract, ball, ball, {});
+  const auto shining = combined(description::SetOperation::unite, drilled, bulb, {});
+  EXPECT_FALSE(description::gives_light({&drilled, 1}));
+  EXPECT_TRUE(description::gives_light({&shining, 1}));
+}
+
 TEST(Report, AnOpenMeshHasNoVolume) {
   geometry::TriangleMesh open = cube_mesh();
   open.triangles.pop_back();

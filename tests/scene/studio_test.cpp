@@ -4,12 +4,14 @@
 
 #include "description/leaves.h"
 #include "scene/prepare_camera.h"
+#include "scene/solid_builders.h"
 #include "scene/tiny_scene.h"
 #include "support/random.h"
 
 namespace lapidary::test {
 namespace {
 
+using description::ObjectPtr;
 using description::PictureSize;
 using description::SceneDescription;
 
@@ -48,6 +50,14 @@ TEST(FramingCamera, LooksAtASinglePointToo) {
   const Vec2d p = in_picture(scene::framing_camera(point, {4, 3}), {4, 3}, {1, 2, 3});
   EXPECT_NEAR(p.x, 0.0, 1e-12);
   EXPECT_NEAR(p.y, 0.0, 1e-12);
+}
+
+TEST(Bounds, AreOfWhatOperationsLeave) {
+  const ObjectPtr half = solid(geometry::HalfSpace{});
+  const Box3d box = scene::bounds({at(5, intersect(ball(), subtract(half, at(9, ball()))))});
+  EXPECT_NEAR(box.min.x, 4, 1e-12);
+  EXPECT_NEAR(box.max.x, 6, 1e-12);
+  EXPECT_TRUE(scene::bounds({subtract(half, ball())}).empty()) << "as of a lone half-space";
 }
 
 TEST(Bounds, AreOfWhatIsBounded) {
