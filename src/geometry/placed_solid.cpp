@@ -72,6 +72,10 @@ double image_error(const Cylinder& solid, const Cylinder& image, const Transform
   return ends * (1 + 2 * image.radius / height) +
          3 * (similarity_deviation(map.linear(), scale) + 4 * u_) * (image.radius + height);
 }
+template <typename Other>
+double image_error(const Other&, const Other&, const Transform&) {
+  return 0.0;  // its only image is itself
+}
 
 Box3d affine_bounds(const Sphere& sphere, const Transform& map) {
   const Vec3d center = map.point(sphere.center);

@@ -15,6 +15,7 @@ namespace {
 using geometry::Box;
 using geometry::Cylinder;
 using geometry::HalfSpace;
+using geometry::MeshBody;
 using geometry::Sheet;
 using geometry::Solid;
 using geometry::Sphere;
@@ -32,6 +33,7 @@ struct VolumeOf {
     return std::numbers::pi * c.radius * c.radius * length(c.to - c.from);
   }
   double operator()(const HalfSpace&) const { return infinity; }
+  double operator()(const MeshBody& m) const { return m.volume(); }
 };
 
 std::optional<double> finite(double value) {
