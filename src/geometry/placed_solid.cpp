@@ -184,6 +184,7 @@ Box3d bounds(const PlacedSolid& placed) {
   const Transform& map = placed.world_from_solid();
   const Box3d box =
       std::visit([&](const auto& kind) { return affine_bounds(kind, map); }, placed.shape());
+  if (!box.bounded()) return Box3d::all();
   // Every term that the corners are sums of is at most this, and each has a few roundings.
   const Box3d own = bounds(placed.shape());
   const Vec3d reach = max(abs(own.min), abs(own.max));

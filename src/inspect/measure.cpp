@@ -16,6 +16,7 @@ using geometry::Box;
 using geometry::Cylinder;
 using geometry::HalfSpace;
 using geometry::MeshBody;
+using geometry::Polyhedron;
 using geometry::Sheet;
 using geometry::Solid;
 using geometry::Sphere;
@@ -34,6 +35,7 @@ struct VolumeOf {
   }
   double operator()(const HalfSpace&) const { return infinity; }
   double operator()(const MeshBody& m) const { return m.volume(); }
+  double operator()(const Polyhedron& p) const { return p.volume(); }
 };
 
 std::optional<double> finite(double value) {

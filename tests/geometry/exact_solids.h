@@ -142,6 +142,9 @@ inline Stretch inside(const Cylinder& c, const ExactLine& line) {
 [[noreturn]] inline Stretch inside(const MeshBody&, const ExactLine&) {
   throw std::logic_error("compared elsewhere");
 }
+[[noreturn]] inline Stretch inside(const Polyhedron&, const ExactLine&) {
+  throw std::logic_error("compared elsewhere");
+}
 inline Stretch inside(const Solid& solid, const ExactLine& line) {
   return std::visit([&](const auto& kind) { return inside(kind, line); }, solid);
 }
@@ -163,6 +166,9 @@ inline Quad depth(const Cylinder& c, const Vec& p) {
   return least(Quad(c.radius) - length(cross(q, a)) / height, least(along, height - along));
 }
 [[noreturn]] inline Quad depth(const MeshBody&, const Vec&) {
+  throw std::logic_error("compared elsewhere");
+}
+[[noreturn]] inline Quad depth(const Polyhedron&, const Vec&) {
   throw std::logic_error("compared elsewhere");
 }
 inline Quad depth(const Solid& solid, const Vec& p) {
