@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -61,6 +63,12 @@ class Bvh {
   template <typename Visit>
   void expand(Ref node, const Slabs& slabs, double t_max, Visit&& visit) const;
 
+  /// Calls `visit(item)` for the items whose boxes the whole line meets, t over all reals, each
+  /// once, in no particular order. Also for those that it meets only when displaced by as much as
+  /// its own errors allow.
+  template <typename Visit>
+  void walk_line(const Line& line, Visit&& visit) const;
+
   std::size_t bytes() const { return nodes_.size() * sizeof(Node); }
 
  private:
@@ -84,22 +92,26 @@ class Bvh {
   static unsigned test(const Node& node, const Slabs& slabs, float t_max,
                        std::array<float, width>& entry);
 
+  /// The line as a ray that starts before everything, near enough to lose no digits.
+  Slabs whole_line(const Line& line) const;
+
   struct Builder;
   std::vector<Node> nodes_;
+  Box3d bounds_;
 };
 
 inline Bvh::Slabs::Slabs(const Line& line, double displacement) {
+  const float slack = static_cast<float>(displacement) * (1.0f + 0x1p-22f);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double o = line.origin[axis];
     const float nearest = static_cast<float>(o);
     // One unit in the last place to either side covers the conversion, and keeps an origin that
     // lies in a face from multiplying zero by the infinite inverse of a zero direction.
-    const float slack =
-        std::abs(nearest) * 0x1p-23f + static_cast<float>(displacement) * (1 + 0x1p-23f) + 1e-37f;
+    const float margin = std::abs(nearest) * 0x1p-23f + (1e-37f + slack);
     const float d = static_cast<float>(line.direction[axis]);
     const bool forward = !std::signbit(d);
-    origin_near[axis] = forward ? nearest + slack : nearest - slack;
-    origin_far[axis] = forward ? nearest - slack : nearest + slack;
+    origin_near[axis] = forward ? nearest + margin : nearest - margin;
+    origin_far[axis] = forward ? nearest - margin : nearest + margin;
     inverse[axis] = 1.0f / d;
     near_row[axis] = static_cast<std::uint32_t>(2 * axis + (forward ? 0 : 1));
     far_row[axis] = near_row[axis] ^ 1u;
@@ -164,6 +176,30 @@ bool Bvh::walk(const Line& line, double t_max, Visit&& visit) const {
     }
   }
   return false;
+}
+
+template <typename Visit>
+void Bvh::walk_line(const Line& line, Visit&& visit) const {
+  if (nodes_.empty()) return;
+  const Slabs slabs = whole_line(line);
+  std::array<std::uint32_t, stack_size> stack;
+  std::size_t top = 0;
+  stack[top++] = 0;
+  std::array<float, width> entry;
+  while (top > 0) {
+    const Node& node = nodes_[stack[--top]];
+    for (unsigned met = test(node, slabs, std::numeric_limits<float>::infinity(), entry); met != 0;
+         met &= met - 1) {
+      const std::uint32_t child = node.child[static_cast<std::size_t>(__builtin_ctz(met))];
+      if (child & leaf_bit) {
+        visit(child & ~leaf_bit);
+        continue;
+      }
+      stack[top++] = child;
+      const auto* bytes = reinterpret_cast<const char*>(&nodes_[child]);
+      for (std::size_t i = 0; i < sizeof(Node); i += 64) _mm_prefetch(bytes + i, _MM_HINT_T0);
+    }
+  }
 }
 
 }  // namespace lapidary::geometry

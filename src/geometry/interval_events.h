@@ -33,8 +33,8 @@ struct Line {
 };
 
 /// Which smooth piece of a solid's boundary: a box has six, a cylinder three (side, from cap,
-/// to cap), a sphere one. Numbered from 0 by each solid.
-using Patch = std::uint16_t;
+/// to cap), a sphere one, a mesh one for each triangle. Numbered from 0 by each solid.
+using Patch = std::uint32_t;
 
 enum class Crossing : std::uint8_t { enter, leave };
 
@@ -65,6 +65,7 @@ class EventBuffer {
     if (count_ == capacity_) grow();
     events_[count_++] = e;
   }
+  void drop_last() { --count_; }
   std::size_t size() const { return count_; }
   bool empty() const { return count_ == 0; }
   const Event& operator[](std::size_t i) const { return events_[i]; }

@@ -42,6 +42,10 @@ double image_error(const Cylinder& solid, const Cylinder& image, const Transform
   return ends * (1 + 2 * image.radius / height) +
          3 * (similarity_deviation(map.linear(), scale) + 4 * u_) * (image.radius + height);
 }
+template <typename Other>
+double image_error(const Other&, const Other&, const Transform&) {
+  return 0.0;  // its only image is itself
+}
 
 double displacement_of_image(const Solid& solid, const Solid& image, const Transform& map) {
   return std::visit(
@@ -158,6 +162,7 @@ Box3d bounds(const PlacedSolid& placed) {
   const Transform& map = placed.world_from_solid();
   const Box3d box =
       std::visit([&](const auto& kind) { return affine_bounds(kind, map); }, placed.shape());
+  if (!box.bounded()) return Box3d::all();
   // Every term that the corners are sums of is at most this, and each has a few roundings.
   const Box3d own = bounds(placed.shape());
   const Vec3d reach = max(abs(own.min), abs(own.max));

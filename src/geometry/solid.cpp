@@ -28,6 +28,11 @@ std::optional<Solid> image(const Cylinder& cylinder, const Transform& map) {
   return Cylinder{map.point(cylinder.from), map.point(cylinder.to), cylinder.radius * *scale};
 }
 
+template <typename Other>
+std::optional<Solid> image(const Other& solid, const Transform& map) {
+  return map.is_identity() ? std::optional<Solid>(solid) : std::nullopt;
+}
+
 }  // namespace
 
 SurfaceUv surface_uv(const Solid& solid, Patch patch, Vec3d p) {

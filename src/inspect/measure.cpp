@@ -16,6 +16,8 @@ namespace {
 using geometry::Box;
 using geometry::Cylinder;
 using geometry::HalfSpace;
+using geometry::MeshBody;
+using geometry::Polyhedron;
 using geometry::Sheet;
 using geometry::Solid;
 using geometry::Sphere;
@@ -33,6 +35,8 @@ struct VolumeOf {
     return std::numbers::pi * c.radius * c.radius * length(c.to - c.from);
   }
   double operator()(const HalfSpace&) const { return infinity; }
+  double operator()(const MeshBody& m) const { return m.volume(); }
+  double operator()(const Polyhedron& p) const { return p.volume(); }
 };
 
 std::optional<double> finite(double value) {

@@ -48,6 +48,29 @@ TEST_F(NodeTest, ShapesMeanWhatTheySay) {
   EXPECT_EQ(solid<geometry::Cylinder>("cylinder", "{to = {1, 0, 0}}").to, Vec3d(1, 0, 0));
 }
 
+TEST_F(NodeTest, PolyhedraComeFromPlanesOrCorners) {
+  const auto corner = solid<geometry::Polyhedron>(
+      "polyhedron",
+      "{planes = {{normal = {-1, 0, 0}}, {normal = {0, -1, 0}}, {normal = {0, 0, -1}},"
+      " {point = {1, 0, 0}, normal = {1, 1, 1}}}}");
+  EXPECT_EQ(corner.face_count(), 4u);
+  EXPECT_NEAR(corner.volume(), 1.0 / 6.0, 1e-15);
+  const auto hull = solid<geometry::Polyhedron>(
+      "polyhedron", "{vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.1, 0.1, 0.1}}}");
+  EXPECT_NEAR(hull.volume(), 1.0 / 6.0, 1e-15);
+  EXPECT_THAT(make_.error_of("polyhedron", "{}"), HasSubstr("either 'planes' or 'vertices'"));
+  EXPECT_THAT(make_.error_of("polyhedron", "{vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}"),
+              HasSubstr("lie in one plane"));
+  EXPECT_THAT(make_.error_of("polyhedron",
+                             "{planes = {{normal = {0, 0, 1}},"
+                             " {point = {0, 0, 1}, normal = {0, 0, -1}}}}"),
+              HasSubstr("planes of polyhedron leave nothing between them"));
+  EXPECT_THAT(make_.error_of("polyhedron", "{planes = {{normal = {0, 0, 0}}}}"),
+              HasSubstr("planes[1].normal of polyhedron must not be zero"));
+  EXPECT_THAT(make_.error_of("polyhedron", "{planes = {{nromal = {0, 0, 1}}}}"),
+              HasSubstr("did you mean 'normal'?"));
+}
+
 TEST_F(NodeTest, AliasesGoByTheirOwnNames) {
   EXPECT_EQ(make_.error_of("plane", "{nromal = {0, 0, 1}}"),
             "scene.lua:7: unknown parameter 'nromal' of plane (did you mean 'normal'?)");

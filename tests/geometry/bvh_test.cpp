@@ -9,8 +9,8 @@ namespace lapidary::geometry {
 namespace {
 
 /// Slab test in long double, with no slack.
-bool meets(const Box3d& box, const Line& line, double t_max) {
-  long double t0 = 0, t1 = t_max;
+bool meets(const Box3d& box, const Line& line, double t_min, double t_max) {
+  long double t0 = t_min, t1 = t_max;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const long double o = line.origin[axis], d = line.direction[axis];
     if (d == 0) {
@@ -57,6 +57,26 @@ class Scatter {
   std::mt19937_64 random_;
 };
 
+/// From anywhere on the line, in any unit of t; `displacement` moves the line and is stated.
+void expect_whole_line_misses_nothing(const Bvh& bvh, const std::vector<Box3d>& boxes, Line line,
+                                      double displacement) {
+  const Vec3d aside{displacement, -displacement, displacement};
+  for (const double unit : {1.0, -1e-40, 1e40}) {
+    for (const double t : {0.0, -64.0, 4096.0}) {
+      const Line from{line.at(t) + aside, line.direction * unit, displacement, 0};
+      std::set<std::uint32_t> visited;
+      bvh.walk_line(from, [&](std::uint32_t item) {
+        EXPECT_TRUE(visited.insert(item).second) << "visited twice";
+      });
+      for (std::uint32_t item = 0; item < boxes.size(); ++item) {
+        if (meets(boxes[item], {line.at(t), line.direction}, -infinity, infinity)) {
+          ASSERT_TRUE(visited.count(item)) << "item " << item << " from " << t;
+        }
+      }
+    }
+  }
+}
+
 void expect_nothing_missed(std::size_t count, double scale, Vec3d offset) {
   Scatter scatter(static_cast<unsigned>(count));
   std::vector<Box3d> boxes;
@@ -71,11 +91,12 @@ void expect_nothing_missed(std::size_t count, double scale, Vec3d offset) {
       return false;
     });
     for (std::uint32_t item = 0; item < boxes.size(); ++item) {
-      if (meets(boxes[item], line, t_max)) {
+      if (meets(boxes[item], line, 0.0, t_max)) {
         ASSERT_TRUE(visited.count(item))
             << count << " boxes at scale " << scale << ", item " << item;
       }
     }
+    expect_whole_line_misses_nothing(bvh, boxes, line, i % 3 == 0 ? 1e-3 * scale : 0.0);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <variant>
 
 #include "geometry/solid.h"
@@ -137,6 +138,13 @@ inline Stretch inside(const Cylinder& c, const ExactLine& line) {
   stretch.clip_linear(dot(line.origin - Vec(c.to), a), dot(line.direction, a));
   return stretch;
 }
+/// Bodies of many faces are no single stretch: body_checks.h compares them with oracles of points.
+[[noreturn]] inline Stretch inside(const MeshBody&, const ExactLine&) {
+  throw std::logic_error("compared elsewhere");
+}
+[[noreturn]] inline Stretch inside(const Polyhedron&, const ExactLine&) {
+  throw std::logic_error("compared elsewhere");
+}
 inline Stretch inside(const Solid& solid, const ExactLine& line) {
   return std::visit([&](const auto& kind) { return inside(kind, line); }, solid);
 }
@@ -156,6 +164,12 @@ inline Quad depth(const Cylinder& c, const Vec& p) {
   const Vec a = Vec(c.to) - Vec(c.from), q = p - Vec(c.from);
   const Quad height = length(a), along = dot(q, a) / height;
   return least(Quad(c.radius) - length(cross(q, a)) / height, least(along, height - along));
+}
+[[noreturn]] inline Quad depth(const MeshBody&, const Vec&) {
+  throw std::logic_error("compared elsewhere");
+}
+[[noreturn]] inline Quad depth(const Polyhedron&, const Vec&) {
+  throw std::logic_error("compared elsewhere");
 }
 inline Quad depth(const Solid& solid, const Vec& p) {
   return std::visit([&](const auto& kind) { return depth(kind, p); }, solid);

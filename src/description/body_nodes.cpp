@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include "description/nodes.h"
+#include "description/object_node.h"
+
+namespace lapidary::description {
+namespace {
+
+using geometry::HalfSpace;
+using geometry::Polyhedron;
+using geometry::Solid;
+using schema::Context;
+using schema::Declaration;
+using schema::NodeKind;
+using schema::Unit;
+using schema::Value;
+
+constexpr auto section = "solids";
+
+// Preparing these takes time that grows with the square of their number.
+constexpr std::size_t most_planes = 1000;
+constexpr std::size_t most_vertices = 10000;
+
+void check_count(std::size_t count, std::size_t most, const Context& context) {
+  if (count > most) {
+    context.fail(fmt::format("has {} entries; it takes {} at most", count, most),
+                 "use a mesh for bodies of so many faces");
+  }
+}
+
+/// {{point = ..., normal = ...}, ...}
+struct PlaneListReader {
+  static std::string type() { return "list of {point, normal}"; }
+  static std::vector<HalfSpace> read(const Value& value, const Context& context) {
+    if (value.kind() != schema::ValueKind::table || !value.table().fields.empty()) {
+      fail_type("a list of planes {point = ..., normal = ...}", value, context);
+    }
+    static const Declaration<HalfSpace> plane =
+        Declaration<HalfSpace>({.name = "a plane"})
+            .parameter("point", &HalfSpace::point, {.unit = Unit::length})
+            .parameter("normal", &HalfSpace::normal, {});
+    std::vector<HalfSpace> planes;
+    for (std::size_t i = 0; i < value.table().items.size(); ++i) {
+      const Context at = context.at(i);
+      planes.push_back(plane.read(value.table().items[i], at));
+      if (planes.back().normal == Vec3d()) at.at("normal").fail("must not be zero");
+    }
+    return planes;
+  }
+  static std::string text(const std::vector<HalfSpace>&) { return ""; }
+};
+
+struct PolyhedronParameters {
+  std::vector<HalfSpace> planes;
+  std::vector<Vec3d> vertices;
+};
+
+Polyhedron to_polyhedron(const PolyhedronParameters& p, const Context& context) {
+  if (p.planes.empty() == p.vertices.empty()) {
+    context.fail("needs either 'planes' or 'vertices'");
+  }
+  if (!p.planes.empty()) {
+    check_count(p.planes.size(), most_planes, context.at("planes"));
+    if (auto found = geometry::intersection(p.planes)) return *found;
+    context.at("planes").fail("leave nothing between them",
+                              "each normal must point out of the solid");
+  }
+  check_count(p.vertices.size(), most_vertices, context.at("vertices"));
+  try {
+    return geometry::hull_of(p.vertices);
+  } catch (const Error& error) {
+    throw context.at("vertices").error(error.problem(), error.hint());
+  }
+}
+
+NodeKind polyhedron() {
+  using P = PolyhedronParameters;
+  using Parameters = ObjectOf<P>;
+  Declaration<Parameters> d({.name = "polyhedron",
+                             .doc = "A convex body with flat faces, from its planes or corners.",
+                             .section = section});
+  d.parameter<PlaneListReader>("planes", &P::planes,
+                               {.doc = "What they all have below them, as {point = {0, 0, 1}, "
+                                       "normal = {0, 0, 1}}; may be unbounded."})
+      .parameter("vertices", &P::vertices,
+                 {.doc = "Corners {x, y, z} instead; those inside of the others do not matter.",
+                  .unit = Unit::length});
+  return node_kind(declare_object(d), [](Parameters&& p, const Context& context) {
+    const std::size_t count = p.planes.size() + 2 * p.vertices.size();
+    const Polyhedron made = to_polyhedron(p, context);
+    schema::Node node = object_node(Solid(made), std::move(p), context);
+    node.bytes += 512 * count;
+    return node;
+  });
+}
+
+}  // namespace
+
+std::vector<NodeKind> body_kinds() {
+  return {polyhedron()};
+}
+
+}  // namespace lapidary::description

@@ -1,0 +1,171 @@
+#include "geometry/polyhedron.h"
+
+#include <algorithm>
+
+#include <immintrin.h>
+
+#include "base/error.h"
+#include "geometry/affine_area.h"
+#include "geometry/convex_hull.h"
+#include "geometry/polyhedron_data.h"
+#include "sampling/warp.h"
+
+namespace lapidary::geometry {
+namespace {
+
+using Data = Polyhedron::Data;
+
+Vec3d area_vector(const Data::Piece& piece) {
+  const auto& [a, b, c] = piece.corners;
+  return cross(b - a, c - a) * 0.5;
+}
+
+std::vector<Data::Planes> in_fours(const std::vector<HalfSpace>& faces) {
+  std::vector<Data::Planes> planes((faces.size() + Data::lanes - 1) / Data::lanes);
+  for (std::size_t i = 0; i < planes.size() * Data::lanes; ++i) {
+    const HalfSpace& face = faces[std::min(i, faces.size() - 1)];
+    Data::Planes& four = planes[i / Data::lanes];
+    const std::size_t lane = i % Data::lanes;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      four.point[axis][lane] = face.point[axis];
+      four.normal[axis][lane] = face.normal[axis];
+    }
+    const Vec3d n = abs(face.normal);
+    four.normal_length[lane] = n.x + n.y + n.z;
+  }
+  return planes;
+}
+
+}  // namespace
+
+Data::Data(std::vector<HalfSpace> faces_, double normal_roundings_, std::vector<Piece> pieces_,
+           const Box3d& box_)
+    : faces(std::move(faces_)),
+      normal_roundings(normal_roundings_),
+      planes(in_fours(faces)),
+      pieces(std::move(pieces_)),
+      box(box_) {
+  if (pieces.empty()) return;
+  area = volume = 0;
+  const Vec3d tip = pieces[0].corners[0];
+  for (const Piece& piece : pieces) {
+    const Vec3d n = area_vector(piece);
+    area_to.push_back(area += length(n));
+    volume += dot(piece.corners[0] - tip, n) / 3.0;
+  }
+}
+
+std::optional<Polyhedron> intersection(std::span<const HalfSpace> half_spaces) {
+  PolyhedronFaces found = faces_of_intersection(half_spaces);
+  if (!found.has_volume) return std::nullopt;
+  std::vector<HalfSpace> faces(half_spaces.begin(), half_spaces.end());
+  return Polyhedron(
+      std::make_shared<const Data>(std::move(faces), 0, std::move(found.pieces), found.box));
+}
+
+namespace {
+
+__extension__ typedef __float128 Quad;
+
+/// The plane of a triangle, its normal right to one rounding: 113 bits leave 60 for cancellation.
+HalfSpace plane_of(Vec3d a, Vec3d b, Vec3d c) {
+  const auto component = [&](std::size_t i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    return static_cast<double>((Quad(b[j]) - a[j]) * (Quad(c[k]) - a[k]) -
+                               (Quad(b[k]) - a[k]) * (Quad(c[j]) - a[j]));
+  };
+  return {a, {component(0), component(1), component(2)}};
+}
+
+}  // namespace
+
+Polyhedron hull_of(std::span<const Vec3d> points) {
+  const ConvexHull hull = convex_hull(points);
+  if (hull.triangles.empty()) {
+    throw Error({}, "the points lie in one plane, so their hull has no volume",
+                "a polyhedron needs at least four points, not all in a plane");
+  }
+  std::vector<HalfSpace> faces(hull.face_count);
+  std::vector<double> sizes(hull.face_count, 0.0);
+  std::vector<Data::Piece> pieces;
+  Box3d box;
+  for (std::size_t i = 0; i < hull.triangles.size(); ++i) {
+    const auto& [a, b, c] = hull.triangles[i];
+    pieces.push_back({{points[a], points[b], points[c]}, hull.faces[i]});
+    for (const Vec3d& p : pieces.back().corners) box.extend(p);
+    // The largest triangle of a face has the normal with the least cancellation.
+    const double size = length(area_vector(pieces.back()));
+    if (size < sizes[hull.faces[i]]) continue;
+    sizes[hull.faces[i]] = size;
+    faces[hull.faces[i]] = plane_of(points[a], points[b], points[c]);
+  }
+  return Polyhedron(std::make_shared<const Data>(std::move(faces), 1, std::move(pieces), box));
+}
+
+HalfSpace Polyhedron::face(Patch patch) const {
+  return data_->faces[patch];
+}
+
+std::size_t Polyhedron::face_count() const {
+  return data_->faces.size();
+}
+
+double Polyhedron::volume() const {
+  return data_->volume;
+}
+
+Vec3d outward_normal(const Polyhedron& polyhedron, Patch patch, Vec3d) {
+  return normalize(polyhedron.data_->faces[patch].normal);
+}
+
+SurfaceUv surface_uv(const Polyhedron& polyhedron, Patch patch, Vec3d p) {
+  return surface_uv(polyhedron.data_->faces[patch], 0, p);
+}
+
+bool contains(const Polyhedron& polyhedron, Vec3d p) {
+  return std::ranges::all_of(polyhedron.data_->faces,
+                             [&](const HalfSpace& face) { return contains(face, p); });
+}
+
+Box3d bounds(const Polyhedron& polyhedron) {
+  return polyhedron.data_->box;
+}
+
+double area(const Polyhedron& polyhedron) {
+  return polyhedron.data_->area;
+}
+
+BoundaryPoint sample_boundary(const Polyhedron& polyhedron, Vec2d u, double u_patch) {
+  const Data& data = *polyhedron.data_;
+  if (data.pieces.empty()) {
+    return {data.faces[0].point, normalize(data.faces[0].normal), 0, 0.0};
+  }
+  const auto found = std::ranges::upper_bound(data.area_to, u_patch * data.area);
+  const auto last = static_cast<std::ptrdiff_t>(data.area_to.size()) - 1;
+  const auto& [corners, patch] =
+      data.pieces[static_cast<std::size_t>(std::min(found - data.area_to.begin(), last))];
+  const Vec2d b = sample_triangle(u);
+  const Vec3d p = corners[0] + (corners[1] - corners[0]) * b.x + (corners[2] - corners[0]) * b.y;
+  return {p, outward_normal(polyhedron, patch, p), patch, 1.0 / data.area};
+}
+
+Box3d affine_bounds(const Polyhedron& polyhedron, const Transform& map) {
+  if (polyhedron.data_->pieces.empty()) return map.box(polyhedron.data_->box);
+  Box3d box;
+  for (const Data::Piece& piece : polyhedron.data_->pieces) {
+    for (const Vec3d& corner : piece.corners) box.extend(map.point(corner));
+  }
+  return box;
+}
+
+double affine_area(const Polyhedron& polyhedron, const Mat3& linear) {
+  if (polyhedron.data_->pieces.empty()) return infinity;
+  const Mat3 areas = cofactors(linear);
+  double area = 0;
+  for (const Data::Piece& piece : polyhedron.data_->pieces) {
+    area += length(areas * area_vector(piece));
+  }
+  return area;
+}
+
+}  // namespace lapidary::geometry
