@@ -1,6 +1,8 @@
 #include "geometry/placed_solid.h"
 
 #include "geometry/affine_area.h"
+#include "geometry/affine_error.h"
+#include "geometry/curved_placement.h"
 #include "geometry/rounded_bounds.h"
 #include "math/frame.h"
 
@@ -8,49 +10,6 @@ namespace lapidary::geometry {
 namespace {
 
 constexpr double u_ = rounding_unit;
-
-double frobenius_norm(const Mat3& m) {
-  return std::sqrt(length_squared(m.row[0]) + length_squared(m.row[1]) + length_squared(m.row[2]));
-}
-
-Mat3 magnitudes(const Mat3& m) {
-  return {{abs(m.row[0]), abs(m.row[1]), abs(m.row[2])}};
-}
-
-Mat3 operator+(const Mat3& a, const Mat3& b) {
-  return {{a.row[0] + b.row[0], a.row[1] + b.row[1], a.row[2] + b.row[2]}};
-}
-
-Mat3 operator*(const Mat3& m, double s) {
-  return {{m.row[0] * s, m.row[1] * s, m.row[2] * s}};
-}
-
-/// Bounds on the entries of a b - identity, with the rounding of computing it.
-Mat3 residual_bound(const Mat3& a, const Mat3& b) {
-  Mat3 residual = a * b;
-  for (std::size_t i = 0; i < 3; ++i) residual.row[i][i] -= 1.0;
-  return magnitudes(residual) + magnitudes(a) * magnitudes(b) * (4 * u_);
-}
-
-/// Bounds, entry by entry, on the error of g * v relative to the exact inverse of m: with
-/// g m = 1 + r the inverse is (1 + r)^-1 g, at most 2 |r| |g| off while |r| < 1/2, and the product
-/// and v itself have 4 roundings. Entry by entry, since uneven scaling alone costs no digits.
-Mat3 inverse_error(const Mat3& g, const Mat3& m) {
-  return (residual_bound(g, m) * 2.0) * magnitudes(g) + magnitudes(g) * (4 * u_);
-}
-
-/// How far the linear map is from its scale times a rotation or reflection: the greatest relative
-/// deviation of a length.
-double similarity_deviation(const Mat3& linear, double scale) {
-  const Mat3 unit{{linear.row[0] / scale, linear.row[1] / scale, linear.row[2] / scale}};
-  return frobenius_norm(residual_bound(transpose(unit), unit));
-}
-
-/// Rounding of map.point(p): sums of three products and the offset.
-double point_error(const Transform& map, Vec3d p) {
-  if (map.is_identity()) return 0.0;
-  return 4 * u_ * (one_norm(magnitudes(map.linear()) * abs(p)) + one_norm(map.offset()));
-}
 
 /// Bounds on how far the surface of `image`, computed in doubles, is from the exact image of
 /// `solid` under `map`.

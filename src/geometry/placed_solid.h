@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/affine_error.h"
 #include "geometry/solid.h"
 
 namespace lapidary::geometry {
@@ -59,10 +60,6 @@ double area(const PlacedSolid& placed);
 BoundaryPoint sample_boundary(const PlacedSolid& placed, Vec2d u, double u_patch);
 /// The density of sample_boundary, per unit world area, at a point of the boundary.
 double boundary_pdf_area(const PlacedSolid& placed, Patch patch, Vec3d p);
-
-inline double one_norm(Vec3d v) {
-  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
 
 inline Line PlacedSolid::shape_line(const Line& line) const {
   if (space_ == Space::world) {

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "geometry/box.h"
+#include "geometry/cone.h"
 #include "geometry/cylinder.h"
 #include "geometry/half_space.h"
 #include "geometry/interval_events.h"
@@ -26,7 +27,7 @@ namespace lapidary::geometry {
 ///
 /// so a forgotten function is a compile error at the visit below. The visits are switches that
 /// inline; kinds are trivially copyable, so a Solid is never without value.
-using Solid = std::variant<Sphere, Box, HalfSpace, Cylinder>;
+using Solid = std::variant<Sphere, Box, HalfSpace, Cylinder, Cone>;
 
 /// Every exact event of the solid on the line has a reported one within its tau, and no other is
 /// reported, except that chords no longer than the tau of their ends may be missing or extra.
@@ -49,7 +50,7 @@ double area(const Solid& solid);
 BoundaryPoint sample_boundary(const Solid& solid, Vec2d u, double u_patch);
 
 /// The image of the solid under a map, where it is a solid of the same kind with the same patches:
-/// spheres and cylinders under similarities, boxes under positive scaling along the axes and
+/// spheres, cylinders and cones under similarities, boxes under positive scaling along the axes and
 /// translation, half-spaces under any map. Otherwise nothing.
 /// Accuracy: a few roundings of the coordinates; similarities as Transform::similarity has it.
 std::optional<Solid> transformed(const Solid& solid, const Transform& world_from_object);

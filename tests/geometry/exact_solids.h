@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <variant>
 
 #include "geometry/solid.h"
@@ -137,8 +138,14 @@ inline Stretch inside(const Cylinder& c, const ExactLine& line) {
   stretch.clip_linear(dot(line.origin - Vec(c.to), a), dot(line.direction, a));
   return stretch;
 }
+/// Of the kinds above; others have oracles of their own.
 inline Stretch inside(const Solid& solid, const ExactLine& line) {
-  return std::visit([&](const auto& kind) { return inside(kind, line); }, solid);
+  return std::visit(
+      [&](const auto& kind) -> Stretch {
+        if constexpr (requires { inside(kind, line); }) return inside(kind, line);
+        throw std::invalid_argument("not a kind with one stretch");
+      },
+      solid);
 }
 
 /// How far p is inside the boundary; negative outside, then at most the distance.
@@ -158,7 +165,12 @@ inline Quad depth(const Cylinder& c, const Vec& p) {
   return least(Quad(c.radius) - length(cross(q, a)) / height, least(along, height - along));
 }
 inline Quad depth(const Solid& solid, const Vec& p) {
-  return std::visit([&](const auto& kind) { return depth(kind, p); }, solid);
+  return std::visit(
+      [&](const auto& kind) -> Quad {
+        if constexpr (requires { depth(kind, p); }) return depth(kind, p);
+        throw std::invalid_argument("not a kind with a depth");
+      },
+      solid);
 }
 
 /// Over how short a distance a face's direction is defined at least.
