@@ -14,6 +14,7 @@ std::vector<schema::NodeKind> node_kinds();
 // One function for each file of declarations.
 std::vector<schema::NodeKind> solid_kinds();
 std::vector<schema::NodeKind> body_kinds();
+std::vector<schema::NodeKind> curved_solid_kinds();
 std::vector<schema::NodeKind> sheet_kinds();
 std::vector<schema::NodeKind> group_kinds();
 std::vector<schema::NodeKind> combination_kinds();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "math/constants.h"
+#include "math/quadrature.h"
 
 namespace lapidary::geometry {
 namespace {
@@ -97,6 +98,15 @@ double ellipse_perimeter(Vec3d a, Vec3d b) {
   const double aa = dot(a, a), bb = dot(b, b);
   const double high = 0.5 * (aa + bb) + std::hypot(0.5 * (aa - bb), dot(a, b));
   return 8.0 * carlson_rg(0.0, length_squared(cross(a, b)) / high, high);
+}
+
+double ellipse_distance_integral(Vec3d a, Vec3d b, Vec3d c) {
+  if (c == Vec3d{}) return ellipse_perimeter(a, b);
+  const auto distance = [&](double phi) {
+    return length(a * std::cos(phi) + b * std::sin(phi) + c);
+  };
+  // Halves, lest the rule meet a symmetry of the ellipse.
+  return integrate(distance, 0.0, pi) + integrate(distance, pi, 2.0 * pi);
 }
 
 }  // namespace lapidary::geometry

@@ -6,6 +6,31 @@
 namespace lapidary::geometry {
 namespace {
 
+/// Bodies of many faces, by what they are made of.
+int compare(const MeshBody& a, const MeshBody& b) {
+  const TriangleMesh &p = a.mesh(), &q = b.mesh();
+  if (&p == &q) return 0;
+  const auto order = [](const auto& x, const auto& y) {
+    if (x.size() != y.size()) return x.size() < y.size() ? -1 : 1;
+    return x.empty() ? 0 : std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0]));
+  };
+  const int origin = std::memcmp(&p.origin, &q.origin, sizeof(Vec3d));
+  if (origin != 0) return origin;
+  const int positions = order(p.positions, q.positions);
+  return positions != 0 ? positions : order(p.triangles, q.triangles);
+}
+
+int compare(const Polyhedron& a, const Polyhedron& b) {
+  const std::size_t n = a.face_count();
+  if (n != b.face_count()) return n < b.face_count() ? -1 : 1;
+  for (std::size_t i = 0; i < n; ++i) {
+    const HalfSpace p = a.face(static_cast<Patch>(i)), q = b.face(static_cast<Patch>(i));
+    const int order = std::memcmp(&p, &q, sizeof(HalfSpace));
+    if (order != 0) return order;
+  }
+  return 0;
+}
+
 /// Plain structs of doubles, by their bits.
 template <typename Kind>
 int compare(const Kind& a, const Kind& b) {

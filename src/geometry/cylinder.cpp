@@ -1,7 +1,8 @@
 #include "geometry/cylinder.h"
 
-#include "geometry/plane_crossing.h"
+#include "geometry/fused_cross.h"
 #include "geometry/rounded_bounds.h"
+#include "geometry/stretch.h"
 #include "math/frame.h"
 #include "sampling/warp.h"
 
@@ -9,61 +10,6 @@ namespace lapidary::geometry {
 namespace {
 
 constexpr double u_ = rounding_unit;
-
-/// A stretch of a line with the error bounds of its ends; empty when enter >= leave.
-struct Stretch {
-  double enter = -infinity, leave = infinity;
-  double enter_error = 0, leave_error = 0;
-  Patch enter_patch = 0, leave_patch = 0;
-
-  static Stretch nowhere() { return {infinity, -infinity}; }
-  bool empty() const { return !(enter < leave); }
-};
-
-/// Both ends of the common part, each with a bound that allows for the other stretch's end lying
-/// past the one found: the exact entry is at most max(a + a error, b + b error).
-Stretch intersect(const Stretch& a, const Stretch& b) {
-  const Stretch& last_in = a.enter >= b.enter ? a : b;
-  const Stretch& first_in = a.enter >= b.enter ? b : a;
-  const Stretch& first_out = a.leave <= b.leave ? a : b;
-  const Stretch& last_out = a.leave <= b.leave ? b : a;
-  Stretch s{last_in.enter, first_out.leave};
-  s.enter_error =
-      std::max(last_in.enter_error, first_in.enter + first_in.enter_error - last_in.enter);
-  s.leave_error =
-      std::max(first_out.leave_error, first_out.leave - (last_out.leave - last_out.leave_error));
-  s.enter_patch = last_in.enter_patch;
-  s.leave_patch = first_out.leave_patch;
-  return s;
-}
-
-/// The part of the line between the planes of the caps; the axis a = to - from has one rounding.
-Stretch between_caps(const Cylinder& cylinder, Vec3d a, const Line& line) {
-  const Plane from_plane{cylinder.from, a, 1}, to_plane{cylinder.to, a, 1};
-  const Bounded over_from = height_over(from_plane, line), over_to = height_over(to_plane, line);
-  const Bounded slope = slope_over(from_plane, line);
-  if (is_parallel(slope)) {
-    const Bounded under_from{-over_from.value, over_from.error};
-    const bool is_between = is_below(under_from, -a) && is_below(over_to, a);
-    return is_between ? Stretch{} : Stretch::nowhere();
-  }
-  const double inverse = 1.0 / slope.value;
-  const PlaneCrossing at_from = cross_plane(over_from, slope, inverse);
-  const PlaneCrossing at_to = cross_plane(over_to, slope, inverse);
-  if (inverse > 0.0) return {at_from.t, at_to.t, at_from.tau, at_to.tau, 1, 2};
-  return {at_to.t, at_from.t, at_to.tau, at_from.tau, 2, 1};
-}
-
-Vec3d fused_cross(Vec3d a, Vec3d b) {
-  return {std::fma(a.y, b.z, -(a.z * b.y)), std::fma(a.z, b.x, -(a.x * b.z)),
-          std::fma(a.x, b.y, -(a.y * b.x))};
-}
-
-/// The sums of the magnitudes of a cross product's terms, in which its error is counted.
-Vec3d cross_terms(Vec3d a, Vec3d b) {
-  return {std::abs(a.y * b.z) + std::abs(a.z * b.y), std::abs(a.z * b.x) + std::abs(a.x * b.z),
-          std::abs(a.x * b.y) + std::abs(a.y * b.x)};
-}
 
 /// The line seen along the axis. With a = to - from and q = origin - from its point of parameter t
 /// is v + t w, v = q x a, w = direction x a, and the side at the distance radius |a| from zero; l
@@ -146,7 +92,7 @@ void intervals(const Cylinder& cylinder, const Line& line, EventBuffer& events) 
   const AxialView view = view_along_axis(cylinder, line);
   const bool is_along = runs_along_axis(view, line);
   if (!is_along && !(view.discriminant > 0.0)) return;
-  Stretch s = between_caps(cylinder, view.a, line);
+  Stretch s = between_caps(cylinder.from, cylinder.to, view.a, line);
   if (s.empty()) return;
   if (is_along) {
     if (!is_inside_at(view, line, 0.5 * (s.enter + s.leave))) return;

@@ -1,13 +1,10 @@
 #pragma once
 
+#include "geometry/affine_error.h"
 #include "geometry/interval_events.h"
 #include "math/transform.h"
 
 namespace lapidary::geometry {
-
-inline double one_norm(Vec3d v) {
-  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
 
 /// The coordinates in which something was made that stands in the world under an affine map, and
 /// the way there for lines. Their direction is not normalised, so t stays that of the world; what
@@ -43,12 +40,5 @@ class OwnSpace {
   double gain_;           ///< bounds how much own_from_world_ lengthens a vector
   Transform world_from_own_;
 };
-
-double frobenius_norm(const Mat3& m);
-Mat3 magnitudes(const Mat3& m);
-/// Bounds on the entries of a b - identity, with the rounding of computing it.
-Mat3 residual_bound(const Mat3& a, const Mat3& b);
-/// Bounds, entry by entry, on the error of g * v relative to the exact inverse of m.
-Mat3 inverse_error(const Mat3& g, const Mat3& m);
 
 }  // namespace lapidary::geometry

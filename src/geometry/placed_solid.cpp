@@ -1,6 +1,8 @@
 #include "geometry/placed_solid.h"
 
 #include "geometry/affine_area.h"
+#include "geometry/affine_error.h"
+#include "geometry/curved_placement.h"
 #include "geometry/rounded_bounds.h"
 #include "math/frame.h"
 
@@ -8,19 +10,6 @@ namespace lapidary::geometry {
 namespace {
 
 constexpr double u_ = rounding_unit;
-
-/// How far the linear map is from its scale times a rotation or reflection: the greatest relative
-/// deviation of a length.
-double similarity_deviation(const Mat3& linear, double scale) {
-  const Mat3 unit{{linear.row[0] / scale, linear.row[1] / scale, linear.row[2] / scale}};
-  return frobenius_norm(residual_bound(transpose(unit), unit));
-}
-
-/// Rounding of map.point(p): sums of three products and the offset.
-double point_error(const Transform& map, Vec3d p) {
-  if (map.is_identity()) return 0.0;
-  return 4 * u_ * (one_norm(magnitudes(map.linear()) * abs(p)) + one_norm(map.offset()));
-}
 
 /// Bounds on how far the surface of `image`, computed in doubles, is from the exact image of
 /// `solid` under `map`.

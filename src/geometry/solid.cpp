@@ -1,5 +1,7 @@
 #include "geometry/solid.h"
 
+#include "geometry/curved_placement.h"
+
 namespace lapidary::geometry {
 namespace {
 

@@ -14,6 +14,7 @@ namespace lapidary::inspect {
 namespace {
 
 using geometry::Box;
+using geometry::Cone;
 using geometry::Cylinder;
 using geometry::HalfSpace;
 using geometry::MeshBody;
@@ -33,6 +34,10 @@ struct VolumeOf {
   }
   double operator()(const Cylinder& c) const {
     return std::numbers::pi * c.radius * c.radius * length(c.to - c.from);
+  }
+  double operator()(const Cone& c) const {
+    const double r = c.radius, r2 = c.radius2;
+    return std::numbers::pi / 3.0 * (r * r + r * r2 + r2 * r2) * length(c.to - c.from);
   }
   double operator()(const HalfSpace&) const { return infinity; }
   double operator()(const MeshBody& m) const { return m.volume(); }

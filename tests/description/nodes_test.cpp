@@ -46,6 +46,10 @@ TEST_F(NodeTest, ShapesMeanWhatTheySay) {
   EXPECT_EQ(corners.max, Vec3d(1, 2, 3));
   EXPECT_EQ(solid<geometry::HalfSpace>("plane", "{}").normal, Vec3d(0, 0, 1));
   EXPECT_EQ(solid<geometry::Cylinder>("cylinder", "{to = {1, 0, 0}}").to, Vec3d(1, 0, 0));
+  const auto frustum = solid<geometry::Cone>("cone", "{to = {1, 0, 0}, radius = 2, radius2 = 3}");
+  EXPECT_EQ(frustum.to, Vec3d(1, 0, 0));
+  EXPECT_EQ(frustum.radius2, 3);
+  EXPECT_EQ(solid<geometry::Cone>("cone", "{}").radius2, 0);
 }
 
 TEST_F(NodeTest, PolyhedraComeFromPlanesOrCorners) {
@@ -81,6 +85,10 @@ TEST_F(NodeTest, ShapesWithoutExtentAreRefused) {
   EXPECT_THAT(make_.error_of("sphere", "{radius = 0}"), HasSubstr("must be greater than 0, not 0"));
   EXPECT_THAT(make_.error_of("cylinder", "{from = {1, 1, 1}, to = {1, 1, 1}}"),
               HasSubstr("to of cylinder must differ from 'from'"));
+  EXPECT_THAT(make_.error_of("cone", "{from = {0, 0, 1}}"), HasSubstr("must differ from 'from'"));
+  EXPECT_THAT(make_.error_of("cone", "{radius = 0}"),
+              HasSubstr("radius of cone and 'radius2' must not both be 0"));
+  EXPECT_THAT(make_.error_of("cone", "{radius2 = -1}"), HasSubstr("radius2 of cone"));
   EXPECT_THAT(make_.error_of("plane", "{normal = {0, 0, 0}}"),
               HasSubstr("normal of plane must not be zero"));
   EXPECT_THAT(make_.error_of("box", "{min = {0, 0, 0}, max = {1, 0, 1}}"),

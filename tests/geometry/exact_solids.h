@@ -138,15 +138,14 @@ inline Stretch inside(const Cylinder& c, const ExactLine& line) {
   stretch.clip_linear(dot(line.origin - Vec(c.to), a), dot(line.direction, a));
   return stretch;
 }
-/// Bodies of many faces are no single stretch: body_checks.h compares them with oracles of points.
-[[noreturn]] inline Stretch inside(const MeshBody&, const ExactLine&) {
-  throw std::logic_error("compared elsewhere");
-}
-[[noreturn]] inline Stretch inside(const Polyhedron&, const ExactLine&) {
-  throw std::logic_error("compared elsewhere");
-}
+/// Of the kinds above; others have oracles of their own.
 inline Stretch inside(const Solid& solid, const ExactLine& line) {
-  return std::visit([&](const auto& kind) { return inside(kind, line); }, solid);
+  return std::visit(
+      [&](const auto& kind) -> Stretch {
+        if constexpr (requires { inside(kind, line); }) return inside(kind, line);
+        throw std::invalid_argument("not a kind with one stretch");
+      },
+      solid);
 }
 
 /// How far p is inside the boundary; negative outside, then at most the distance.
@@ -172,7 +171,12 @@ inline Quad depth(const Cylinder& c, const Vec& p) {
   throw std::logic_error("compared elsewhere");
 }
 inline Quad depth(const Solid& solid, const Vec& p) {
-  return std::visit([&](const auto& kind) { return depth(kind, p); }, solid);
+  return std::visit(
+      [&](const auto& kind) -> Quad {
+        if constexpr (requires { depth(kind, p); }) return depth(kind, p);
+        throw std::invalid_argument("not a kind with a depth");
+      },
+      solid);
 }
 
 /// Over how short a distance a face's direction is defined at least.

@@ -26,6 +26,11 @@ TEST(Measure, ClosedFormsOfSolids) {
   const Measure can = measure_of(make_object(geometry::Cylinder{{0, 0, 0}, {3, 4, 0}, 2}));
   EXPECT_NEAR(can.area.value(), 2 * pi * 4 + 2 * pi * 2 * 5, 1e-9);
   EXPECT_NEAR(can.volume.value(), pi * 4 * 5, 1e-9);
+  const Measure cone = measure_of(make_object(geometry::Cone{{0, 0, 0}, {3, 4, 0}, 3, 0}));
+  EXPECT_NEAR(cone.volume.value(), pi * 9 * 5 / 3, 1e-9);
+  const Measure bucket = measure_of(make_object(geometry::Cone{{0, 0, 0}, {0, 0, 3}, 1, 2}));
+  EXPECT_NEAR(bucket.volume.value(), pi * (4 * 6 - 1 * 3) / 3,
+              1e-9);  // the difference of two cones
 }
 
 TEST(Measure, FollowsTheTransform) {

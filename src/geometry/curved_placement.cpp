@@ -1,0 +1,58 @@
+#include "geometry/curved_placement.h"
+
+#include "geometry/affine_area.h"
+#include "geometry/affine_error.h"
+#include "math/frame.h"
+
+namespace lapidary::geometry {
+namespace {
+
+constexpr double u_ = rounding_unit;
+
+/// Half extents of the image of the unit disk across `normal`, which has unit length.
+Vec3d disk_extents(Vec3d normal, const Mat3& linear) {
+  return {length(cross(linear.row[0], normal)), length(cross(linear.row[1], normal)),
+          length(cross(linear.row[2], normal))};
+}
+
+}  // namespace
+
+std::optional<Solid> image(const Cone& cone, const Transform& map) {
+  const auto scale = map.similarity();
+  if (!scale) return std::nullopt;
+  return Cone{map.point(cone.from), map.point(cone.to), cone.radius * *scale,
+              cone.radius2 * *scale};
+}
+
+/// As for the cylinder: errors of the ends move the surface and tilt the axis, which moves it by
+/// twice that times radius over height; so does the deviation from a similarity.
+double image_error(const Cone& solid, const Cone& image, const Transform& map) {
+  const double ends = point_error(map, solid.from) + point_error(map, solid.to);
+  const double height = length(image.to - image.from);
+  const double radius = std::max(image.radius, image.radius2);
+  const double scale = radius / std::max(solid.radius, solid.radius2);
+  return ends * (1 + 2 * radius / height) +
+         3 * (similarity_deviation(map.linear(), scale) + 4 * u_) * (radius + height);
+}
+
+Box3d affine_bounds(const Cone& cone, const Transform& map) {
+  const Vec3d from = map.point(cone.from), to = map.point(cone.to);
+  const Vec3d half = disk_extents(normalize(cone.to - cone.from), map.linear());
+  const Vec3d at_from = half * cone.radius, at_to = half * cone.radius2;
+  return {min(from - at_from, to - at_to), max(from + at_from, to + at_to)};
+}
+
+/// The side has the normal (height radial - (radius2 - radius) axis) / slant, the same along each
+/// of its straight lines.
+double affine_area(const Cone& cone, const Mat3& linear) {
+  const Mat3 c = cofactors(linear);
+  const Vec3d a = cone.to - cone.from;
+  const double height = length(a), r = cone.radius, r2 = cone.radius2;
+  const Frame frame = Frame::from_normal(a / height);
+  const Vec3d tangent = c * frame.tangent, bitangent = c * frame.bitangent, axis = c * frame.normal;
+  const double side =
+      ellipse_distance_integral(tangent * height, bitangent * height, axis * (r - r2));
+  return 0.5 * (r + r2) * side + pi * (r * r + r2 * r2) * length(axis);
+}
+
+}  // namespace lapidary::geometry

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "geometry/solid.h"
+
+namespace lapidary::geometry {
+
+// What placing a cone takes, as placed_solid.cpp has it for the kinds it knows itself:
+//   image          of the solid under the map, where it is of the same kind
+//   image_error    bounds how far the surface of `image`, computed in doubles, is from the exact
+//   one affine_bounds  of the exact image under any map, to rounding affine_area    of the image
+//   under any linear map, to 1e-13 (relative)
+
+std::optional<Solid> image(const Cone& cone, const Transform& map);
+double image_error(const Cone& solid, const Cone& image, const Transform& map);
+Box3d affine_bounds(const Cone& cone, const Transform& map);
+double affine_area(const Cone& cone, const Mat3& linear);
+
+}  // namespace lapidary::geometry
