@@ -11,15 +11,22 @@ namespace lapidary::geometry {
 
 using Link = BooleanTree::Link;
 
-/// A box of a hierarchy, or an event, that the sweep has yet to come to.
+/// A box of a hierarchy, or an event, that the sweep has yet to come to; as a value of the queue.
 struct Sweep::Entry {
-  static constexpr std::uint32_t event_bit = 0x80000000u;
+  static constexpr std::uint64_t event_bit = std::uint64_t{1} << 63;
 
-  double key;           ///< a box: where the ray enters it; an event: the lower end of its interval
-  std::uint32_t where;  ///< the slot, with `event_bit` for events
-  std::uint32_t what;   ///< a Bvh::Ref, or the index of the event
+  static std::uint64_t of_box(std::uint32_t slot, Bvh::Ref box) {
+    return std::uint64_t{slot} << 32 | box.bits();
+  }
+  static std::uint64_t of_event(std::uint32_t index) { return event_bit | index; }
 
-  bool is_event() const { return (where & event_bit) != 0; }
+  bool is_event() const { return (value & event_bit) != 0; }
+  std::uint32_t event() const { return static_cast<std::uint32_t>(value); }
+  std::uint32_t slot() const { return static_cast<std::uint32_t>(value >> 32); }
+  Bvh::Ref box() const { return Bvh::Ref::from_bits(static_cast<std::uint32_t>(value)); }
+
+  double key;  ///< a box: where the ray enters it; an event: the lower end of its interval
+  std::uint64_t value;
 };
 
 /// An event of a leaf, as it waits and then as a member of a group.
@@ -34,8 +41,12 @@ struct Sweep::Member {
 /// What a sweep needs to remember. Grows to what the largest scene of its thread takes, and is
 /// never cleared: the states of nodes carry the number of the query that wrote them.
 struct Sweep::Scratch {
-  /// A compound that the ray has come to.
+  /// A compound that the ray has come to. Made in place: copying what was just written in parts
+  /// stalls the processor.
   struct Slot {
+    Slot(const Compound& c, std::uint32_t at, std::uint32_t node, const Line& in, double displacement)
+        : compound(&c), place(at), first_node(node), line(in), slabs(in, displacement) {}
+
     const Compound* compound;
     std::uint32_t place;
     std::uint32_t first_node;  ///< of its nodes, in `nodes`
@@ -60,7 +71,7 @@ struct Sweep::Scratch {
   std::uint64_t query = 0;
   std::uint32_t group_number = 0;
   std::uint32_t node_count = 0;
-  SweepQueue<Entry> queue;
+  SweepQueue queue;
   std::vector<Member> events, group;
   std::vector<Slot> slots;
   std::vector<NodeState> nodes;
@@ -73,7 +84,7 @@ struct Sweep::Scratch {
   void open_slot(const Compound& compound, std::uint32_t place, const Line& line,
                  double displacement) {
     const auto count = static_cast<std::uint32_t>(compound.tree().nodes().size());
-    slots.push_back({&compound, place, node_count, line, Bvh::Slabs(line, displacement)});
+    slots.emplace_back(compound, place, node_count, line, displacement);
     node_count += count;
     if (nodes.size() < node_count) nodes.resize(node_count);
   }
@@ -110,8 +121,8 @@ class Sweep::ScratchPool {
   }
 };
 
-Sweep::Sweep(const SolidScene& scene, const Ray& ray)
-    : scene_(scene), ray_(ray), s_(ScratchPool::take()) {
+Sweep::Sweep(const SolidScene& scene, const Ray& ray, double t_max)
+    : scene_(scene), ray_(ray), t_max_(t_max), s_(ScratchPool::take()) {
   ++s_->query;
   s_->group_number = 0;
   s_->node_count = 0;
@@ -130,7 +141,7 @@ Sweep::Sweep(const SolidScene& scene, const Ray& ray)
       open_place(item - static_cast<std::uint32_t>(world.leaves().size()));
     }
   }
-  if (!world.bvh().empty()) s_->queue.push({0.0, 0, world.bvh().root().bits()});
+  if (!world.bvh().empty()) open({0.0, Entry::of_box(0, world.bvh().root())});
 }
 
 Sweep::~Sweep() {
@@ -146,15 +157,16 @@ bool Sweep::collect_group() {
   upper_ = -infinity;
   double widest_tau = 0.0, first_t = 0.0;
   while (!s_->queue.empty()) {
-    const Entry next = s_->queue.top();
-    if (!s_->group.empty() && next.key > upper_) break;
-    if (next.key > ray_.t_max) break;
+    const double key = s_->queue.top_key();
+    if (!s_->group.empty() && key > upper_) break;
+    if (key > t_max_) break;
+    const Entry next{key, s_->queue.top_value()};
     if (!next.is_event()) {
       s_->queue.pop();
       open(next);
       continue;
     }
-    const Member& event = s_->events[next.what];
+    const Member& event = s_->events[next.event()];
     if (s_->group.empty()) {
       first_t = event.t;
     } else if (event.t - first_t > widest * std::max(widest_tau, event.tau)) {
@@ -165,29 +177,30 @@ bool Sweep::collect_group() {
     widest_tau = std::max(widest_tau, event.tau);
     upper_ = std::max(upper_, event.t + event.tau);
     s_->group.push_back(event);
-    if (!event.is_last) push_event(next.what + 1);
+    if (!event.is_last) push_event(next.event() + 1);
   }
   return !s_->group.empty();
 }
 
 void Sweep::push_event(std::uint32_t index) {
   const Member& event = s_->events[index];
-  s_->queue.push({event.t - event.tau, event.slot | Entry::event_bit, index});
+  s_->queue.push(event.t - event.tau, Entry::of_event(index));
 }
 
 void Sweep::open(const Entry& entry) {
-  const Scratch::Slot& slot = s_->slots[entry.where];
+  const std::uint32_t number = entry.slot();
+  const Scratch::Slot& slot = s_->slots[number];
   const Compound& compound = *slot.compound;
-  const Bvh::Ref ref = Bvh::Ref::from_bits(entry.what);
-  if (!ref.is_item()) {
-    compound.bvh().expand(ref, slot.slabs, ray_.t_max, [&](float t, Bvh::Ref child) {
-      s_->queue.push({static_cast<double>(t), entry.where, child.bits()});
+  const Bvh::Ref box = entry.box();
+  if (!box.is_item()) {
+    compound.bvh().expand(box, slot.slabs, t_max_, [&](float t, Bvh::Ref child) {
+      s_->queue.push(static_cast<double>(t), Entry::of_box(number, child));
     });
     return;
   }
-  const std::uint32_t item = compound.item(ref);
+  const std::uint32_t item = compound.item(box);
   const auto leaves = static_cast<std::uint32_t>(compound.leaves().size());
-  if (item < leaves) return open_leaf(entry.where, item, entry.key);
+  if (item < leaves) return open_leaf(number, item, entry.key);
   open_place(item - leaves);
 }
 
@@ -201,7 +214,7 @@ void Sweep::open_place(std::uint32_t index) {
   s_->open_slot(compound, index + 1, line, displacement);
   const auto slot = static_cast<std::uint32_t>(s_->slots.size() - 1);
   for (const std::uint32_t leaf : compound.unbounded()) open_leaf(slot, leaf, 0.0);
-  if (!compound.bvh().empty()) s_->queue.push({0.0, slot, compound.bvh().root().bits()});
+  if (!compound.bvh().empty()) open({0.0, Entry::of_box(slot, compound.bvh().root())});
 }
 
 /// The event of the buffer that the ray starts on; the buffer's size when there is none.
@@ -324,17 +337,17 @@ void Sweep::apply_group() {
   for (const Member& m : s_->group) feed_leaf(m.slot, m.leaf, m.crossing == Crossing::enter);
 }
 
-std::optional<Transition> Sweep::next() {
+bool Sweep::next(Transition& found) {
   while (collect_group()) {
     const std::uint32_t before = region();
     apply_group();
     if (s_->toggles.empty()) continue;
     const std::uint32_t after = region();
     if (scene_.medium(before) == scene_.medium(after)) continue;
-    const auto found = transition(before, after);
-    if (found->t < ray_.t_max) return found;
+    describe(before, after, found);
+    if (found.t < t_max_) return true;
   }
-  return std::nullopt;
+  return false;
 }
 
 /// Whether the group changed every node from `link` to the root of `region` to `value`.
@@ -388,7 +401,7 @@ bool Sweep::causes(const Member& member, std::uint32_t region, bool enters,
 /// The surface of a group that changed the medium. What it wears follows from the signs of leaves
 /// and their order of writing; where it is, from the leaf of the least content, so that shuffling
 /// operands changes no bit of that.
-std::optional<Transition> Sweep::transition(std::uint32_t before, std::uint32_t after) {
+void Sweep::describe(std::uint32_t before, std::uint32_t after, Transition& found) {
   constexpr std::uint32_t none = SolidScene::no_region;
   const auto turned = [&](std::uint32_t region) {
     return region != none &&
@@ -402,7 +415,6 @@ std::optional<Transition> Sweep::transition(std::uint32_t before, std::uint32_t 
     return oa != ob ? oa == Opacity::opaque : scene_.rank(a) > scene_.rank(b);
   };
   const bool enters = turned(after) && !(turned(before) && beats(before, after));
-  Transition found;
   found.before = before;
   found.after = after;
   found.surface_of = enters ? after : before;
@@ -440,14 +452,13 @@ std::optional<Transition> Sweep::transition(std::uint32_t before, std::uint32_t 
       scene_.region(found.surface_of).opacity == Opacity::transparent) {
     found.tag = scene_.region(other).tag;
   }
-  return found;
 }
 
 std::uint32_t region_at(const SolidScene& scene, Vec3d point) {
-  Ray ray{point, {1, 0, 0}};
-  ray.t_max = 0.0;
-  Sweep sweep(scene, ray);
-  sweep.next();
+  const Ray ray{point, {1, 0, 0}};
+  Sweep sweep(scene, ray, 0.0);
+  Transition none;
+  sweep.next(none);
   return sweep.region();
 }
 

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 
 #include "geometry/ray.h"
 #include "geometry/solid_scene.h"
@@ -38,14 +37,16 @@ struct Transition {
 /// thread and is reused. Throws nothing.
 class Sweep {
  public:
-  /// Transitions at 0 < t < ray.t_max; `scene` must outlive the sweep. What the ray starts on is
-  /// past, and so is whatever coincides with it.
-  Sweep(const SolidScene& scene, const Ray& ray);
+  /// Transitions at 0 < t < t_max. What the ray starts on is past, and so is whatever coincides
+  /// with it. `scene` and `ray` must outlive the sweep.
+  Sweep(const SolidScene& scene, const Ray& ray, double t_max);
+  Sweep(const SolidScene& scene, const Ray& ray) : Sweep(scene, ray, ray.t_max) {}
   ~Sweep();
   Sweep(const Sweep&) = delete;
   Sweep& operator=(const Sweep&) = delete;
 
-  std::optional<Transition> next();
+  /// Sets `found` to the next transition; false, with `found` unspecified, when there is none.
+  bool next(Transition& found);
   /// The region that the ray is in: behind the transition found last, or where it starts.
   std::uint32_t region();
   /// Groups that were cut short because rounding chained them without end.
@@ -70,13 +71,14 @@ class Sweep {
   void feed(std::uint32_t slot, BooleanTree::Link link, bool value);
   void toggle_region(std::uint32_t region, bool inside);
   void apply_group();
-  std::optional<Transition> transition(std::uint32_t before, std::uint32_t after);
+  void describe(std::uint32_t before, std::uint32_t after, Transition& found);
   bool causes(const Member& member, std::uint32_t region, bool enters, bool* complement) const;
   bool path_changed(std::uint32_t slot, BooleanTree::Link link, std::uint32_t region,
                     bool value) const;
 
   const SolidScene& scene_;
-  Ray ray_;
+  const Ray& ray_;
+  double t_max_;
   std::unique_ptr<Scratch> s_;
   double upper_ = 0;  ///< of the error intervals of the group
   std::uint64_t cut_groups_ = 0;

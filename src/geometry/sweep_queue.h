@@ -3,63 +3,63 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace lapidary::geometry {
 
-/// A priority queue, least `key` first, for what a sweep has before it: most of the time a few
+/// A priority queue, least key first, for what a sweep has before it: most of the time a few
 /// entries, and most of those pushed come next or never.
 ///
 /// The nearest entries stand in an array in order; when that is full, its farther half moves to a
-/// binary heap, to which whatever comes behind the array goes directly.
-template <typename Entry>
+/// binary heap, to which whatever comes behind the array goes directly. Keys and values lie apart:
+/// an entry that is read as a whole just after its parts were written stalls the processor.
 class SweepQueue {
  public:
   bool empty() const { return near_count_ == 0 && far_.empty(); }
   void clear() { near_count_ = 0, far_.clear(); }
 
   /// Not of an empty queue; moves entries, hence not const.
-  const Entry& top() {
+  double top_key() {
     if (near_count_ == 0) refill();
-    return near_[near_count_ - 1];
+    return near_keys_[near_count_ - 1];
   }
-  void pop() { --near_count_; }  ///< after `top`
+  /// After `top_key`.
+  std::uint64_t top_value() const { return near_values_[near_count_ - 1]; }
+  void pop() { --near_count_; }
 
-  void push(const Entry& e) {
-    if (!far_.empty() && !(e.key < far_.front().key)) return push_far(e);
+  void push(double key, std::uint64_t value) {
+    if (!far_.empty() && !(key < far_.front().key)) return push_far(key, value);
     if (near_count_ == capacity) spill();
     std::size_t i = near_count_++;
-    for (; i > 0 && near_[i - 1].key < e.key; --i) near_[i] = near_[i - 1];
-    near_[i] = e;
+    for (; i > 0 && near_keys_[i - 1] < key; --i) {
+      near_keys_[i] = near_keys_[i - 1];
+      near_values_[i] = near_values_[i - 1];
+    }
+    near_keys_[i] = key;
+    near_values_[i] = value;
   }
 
  private:
   static constexpr std::size_t capacity = 48;
 
-  static bool later(const Entry& a, const Entry& b) { return a.key > b.key; }
+  struct Entry {
+    double key;
+    std::uint64_t value;
+    friend bool operator<(const Entry& a, const Entry& b) { return a.key > b.key; }
+  };
 
-  void push_far(const Entry& e) {
-    far_.push_back(e);
-    std::push_heap(far_.begin(), far_.end(), later);
+  void push_far(double key, std::uint64_t value) {
+    far_.push_back({key, value});
+    std::push_heap(far_.begin(), far_.end());
   }
-  void spill() {
-    constexpr std::size_t half = capacity / 2;
-    for (std::size_t i = 0; i < half; ++i) push_far(near_[i]);
-    std::copy(near_.begin() + half, near_.begin() + capacity, near_.begin());
-    near_count_ -= half;
-  }
-  void refill() {
-    while (!far_.empty() && near_count_ < capacity / 2) {
-      std::pop_heap(far_.begin(), far_.end(), later);
-      near_[near_count_++] = far_.back();
-      far_.pop_back();
-    }
-    std::reverse(near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(near_count_));
-  }
+  void spill();
+  void refill();
 
-  std::array<Entry, capacity> near_;  ///< the nearest last
+  std::array<double, capacity> near_keys_;  ///< the nearest last
+  std::array<std::uint64_t, capacity> near_values_;
   std::size_t near_count_ = 0;
-  std::vector<Entry> far_;  ///< a heap; nothing in it comes before anything in `near_`
+  std::vector<Entry> far_;  ///< a heap; nothing in it comes before anything near
 };
 
 }  // namespace lapidary::geometry

@@ -80,24 +80,23 @@ Hit World::nearest(const Ray& ray) const {
   if (solids_.region_count() == 0) {
     hit.region_before = hit.region_after = SolidScene::no_region;
   } else {
-    Ray through_solids = ray;
-    through_solids.t_max = hit.kind == SurfaceKind::sheet ? hit.t + hit.tau : hit.t;
-    Sweep sweep(solids_, through_solids);
-    const auto found = sweep.next();
-    hit.region_before = hit.region_after = found ? found->before : sweep.region();
+    Sweep sweep(solids_, ray, hit.kind == SurfaceKind::sheet ? hit.t + hit.tau : hit.t);
+    Transition found;
+    const bool any = sweep.next(found);
+    hit.region_before = hit.region_after = any ? found.before : sweep.region();
     const bool before_sheet =
-        found && (hit.kind == SurfaceKind::none || found->t + found->tau < hit.t - hit.tau);
+        any && (hit.kind == SurfaceKind::none || found.t + found.tau < hit.t - hit.tau);
     if (before_sheet) {
-      hit.t = found->t;
-      hit.tau = found->tau;
+      hit.t = found.t;
+      hit.tau = found.tau;
       hit.kind = SurfaceKind::solid;
-      hit.crossing = found->surface_of == found->after ? Crossing::enter : Crossing::leave;
-      hit.is_complement = found->is_complement;
-      hit.patch = found->patch;
-      hit.index = found->leaf;
-      hit.place = found->place;
-      hit.tag = found->tag;
-      hit.region_after = found->after;
+      hit.crossing = found.surface_of == found.after ? Crossing::enter : Crossing::leave;
+      hit.is_complement = found.is_complement;
+      hit.patch = found.patch;
+      hit.index = found.leaf;
+      hit.place = found.place;
+      hit.tag = found.tag;
+      hit.region_after = found.after;
     }
   }
   if (!triangles_.empty()) nearest_triangle(ray, hit);
@@ -109,7 +108,10 @@ bool World::occluded(const Ray& ray) const {
     return meet_sheet(sheet, ray).has_value();
   });
   if (by_sheet) return true;
-  if (solids_.region_count() != 0 && Sweep(solids_, ray).next()) return true;
+  if (solids_.region_count() != 0) {
+    Transition found;
+    if (Sweep(solids_, ray).next(found)) return true;
+  }
   return triangles_.occluded(ray.line(), ray.t_max);
 }
 

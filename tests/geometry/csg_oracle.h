@@ -222,7 +222,7 @@ inline std::vector<geometry::Transition> sweep_all(const geometry::SolidScene& s
                                                    const geometry::Ray& ray) {
   geometry::Sweep sweep(scene, ray);
   std::vector<geometry::Transition> found;
-  while (const auto t = sweep.next()) found.push_back(*t);
+  for (geometry::Transition t; sweep.next(t);) found.push_back(t);
   return found;
 }
 
