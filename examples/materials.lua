@@ -51,7 +51,7 @@ local rows = {
 }
 
 local radius, across, deep, rise = 0.46, 1.24, 1.3, 0.74
-local light, dark = matte "#aaa49b", matte "#4a4642"
+local light, dark = matte "#c2bbb0", matte "#3c3936"
 
 --- Every other square of a chessboard on the tread of a step.
 local function squares(y, z)
@@ -96,14 +96,14 @@ end
 return scene {
   camera = perspective { from = { 0, -17, 10.4 }, at = { 0, 3.1, 2.7 }, fov = 18.6 },
   lights = {
-    rectangle_light { center = { -11, -5, 11 }, size = { 12, 8 }, at = { 0, 2, 2 }, radiance = 2.4 },
+    rectangle_light { center = { -11, -5, 11 }, size = { 18, 12 }, at = { 0, 2, 2 }, radiance = 2 },
     rectangle_light { center = { 11, 0, 7 }, size = { 3, 9 }, at = { 0, 3, 2 }, radiance = 2 },
-    environment { color = { 0.4, 0.42, 0.45 } },
+    environment { color = { 0.36, 0.38, 0.41 } },
   },
   objects = {
     objects,
     plane { material = dark },
     rectangle { center = { 0, 9, 6 }, size = { 60, 20 }, normal = { 0, -1, 0 }, material = light },
   },
-  render = { size = { 960, 720 }, samples = 192 },
+  render = { size = { 960, 720 }, samples = 224 },
 }

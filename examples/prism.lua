@@ -26,11 +26,13 @@ local index = indices[kind]
 if not index then error("no prism of " .. tostring(kind) .. " is prepared here") end
 
 local apex = math.rad(60)         -- angle of the prism
-local side, tall = 2.5, 1.5       -- its edges
+-- Its edges. The beam stays clear of the base, which would throw a second picture of the slit,
+-- without colours, on the screen: there the prism bends light forth and back.
+local side, tall = 3.2, 1.5
 local lens_width = 1.4
 local height = 2.3                -- of the beam over the table
 local to_slit, to_screen = 6, 6   -- from the lens, from the prism
-local gap = 1.5                   -- from lens to prism
+local gap = 1.8                   -- from lens to prism
 
 -- Light passes the prism parallel to its base, and is turned by this angle.
 local turn = 2 * math.asin(index * sin(apex / 2)) - apex
@@ -115,13 +117,19 @@ end
 local enamel = metal { color = { 0.24, 0.26, 0.29 }, roughness = 0.35 }
 local black = matte { color = { 0.02, 0.02, 0.02 } }
 
+--- Like daylight behind a filter that takes away the far violet: the eye hardly sees it, so few
+--- paths carry those wavelengths, and what they bring would be grain.
+local white = spectrum {
+  from = 410, step = 10, values = { 0, 0.004, 0.014, 0.028, 0.04, 0.045, 0.045 },
+}
+
 local function lamp()
   local a = along(slit_middle, left_of(inward), -slit / 2)
   local b = along(slit_middle, left_of(inward), slit / 2)
   return rectangle_light {
     corner = { a[1], a[2], height - 0.6 * tall },
     edge_u = { b[1] - a[1], b[2] - a[2], 0 }, edge_v = { 0, 0, 1.2 * tall },
-    radiance = 14, name = "slit",
+    radiance = white, name = "slit",
   }
 end
 
@@ -157,7 +165,7 @@ end
 --- A sheet of dull silver, hollow like a dish and leaning back, so that from everywhere on it the
 --- mirror direction of the camera is that of the prism.
 local function screen()
-  local radius, wide, high, columns, rows = 9.4, 3.2, 2.3, 40, 30
+  local radius, wide, high, columns, rows = 9.4, 2.7, 2.3, 34, 30
   local vertices, faces = {}, {}
   for j = 0, rows do
     for i = 0, columns do
@@ -170,15 +178,15 @@ local function screen()
     end
   end
   return mesh { vertices = vertices, faces = faces, shading = "smooth" }
-    :rotate { x = -8.5 }
-    :translate { exit[1] - 0.2, exit[2] + to_screen, height }
-    :material(metal { color = { 0.92, 0.92, 0.92 }, roughness = 0.22 })
+    :rotate { x = -9.8 }
+    :translate { exit[1] - 0.05, exit[2] + to_screen, height }
+    :material(metal { color = { 0.92, 0.92, 0.92 }, roughness = 0.2 })
     :name "screen"
 end
 
 -- The scene ------------------------------------------------------------------------------------
 
-local felt = matte { color = { 0.06, 0.06, 0.07 } }
+local velvet = matte { color = { 0.012, 0.012, 0.014 } }
 local table_top = matte { color = { 0.17, 0.165, 0.16 } }
 
 --- What carries the bench: a round post from the table to just under the beam.
@@ -192,7 +200,7 @@ end
 return scene {
   unit = "dm",
   camera = perspective {
-    from = { exit[1], -15, height + 6.5 }, at = { exit[1] - 0.6, 2.2, height - 0.1 }, fov = 16.5,
+    from = { exit[1], -15, height + 7.4 }, at = { exit[1] - 0.6, 2.2, height }, fov = 16.8,
   },
   lights = {
     lamp(),
@@ -202,11 +210,14 @@ return scene {
     rectangle_light {
       center = { 2, 0, 12 }, size = { 8, 5 }, at = { 0, 2, 0 }, radiance = { 5, 4.8, 4.6 },
     },
+    rectangle_light {
+      center = { 6, -16, 3 }, size = { 8, 3 }, at = { -2, 0, 2.3 }, radiance = { 0.6, 0.62, 0.7 },
+    },
     environment { color = { 0.05, 0.055, 0.065 } },
   },
   objects = {
     prism, lens(), housing(), screen(),
-    post({ 0, 0 }, 1.6, felt), post(along(lens_middle, inward, -1.2), 0.35, enamel),
+    post({ 0, 0 }, 1.95, velvet), post(along(lens_middle, inward, -1.2), 0.35, enamel),
     plane { material = table_top, name = "table" },
   },
   render = { size = { 640, 400 }, samples = 640, max_depth = 12 },

@@ -3,15 +3,18 @@
 --   lapidary render studio.lua                           three chessmen of gold
 --   lapidary render studio.lua --set product=shell       a sea shell
 --   lapidary render studio.lua --set product=flacon      a bottle of glass with a golden stopper
---   lapidary render studio.lua --set product=duck.obj    your own mesh; set tall=2 for its height
+--   lapidary render studio.lua --set product=duck.obj    your own mesh, beside this file
 --   lapidary render studio.lua --set metal=silver --set paper=#8fa3a8
+--
+-- A mesh comes as it is, upright. It fits when it is about 2 units high and {0, 0, 0} is in the
+-- middle of its foot; --set scale=20 --set turn=90 --set "move={0, 0, -0.5}", in this order, help.
 --
 -- The chessmen are one metal in three finishes: polished, satin and brushed.
 
 local product = param("product", "chess")
 local kind = param("metal", "gold")
 local paper = param("paper", "#dcc9b6")
-local tall = param("tall", 1)
+local scale, turn, move = param("scale", 1), param("turn", 0), param("move", { 0, 0, 0 })
 
 local cos, sin, exp, pi = math.cos, math.sin, math.exp, math.pi
 
@@ -137,7 +140,7 @@ end
 
 local products = { chess = chess, shell = shell, flacon = flacon }
 local made = products[product]
-local subject = made and made() or mesh(product):scale(tall)
+local subject = made and made() or mesh(product):scale(scale):rotate { z = turn }:translate(move)
 
 -- The studio -----------------------------------------------------------------------------------
 
@@ -178,10 +181,10 @@ return scene {
     from = { 0, -12, 3.2 }, at = { 0, 0, 1.38 }, fov = 18, aperture = 0.06, focus = { 0, -0.4, 1 },
   },
   lights = {
-    softbox({ -7, -3, 5.5 }, { 6, 6.5 }, { 3.9, 3.7, 3.5 }),
-    softbox({ 7, -1, 3.2 }, { 2.4, 6 }, { 3.4, 3.6, 3.9 }),
-    softbox({ 0, 2, 9 }, { 9, 5 }, 3),
-    environment { color = { 0.3, 0.29, 0.28 } },
+    softbox({ -7, -3, 5.5 }, { 6, 6.5 }, { 5.0, 4.7, 4.4 }),
+    softbox({ 7, 0, 3.2 }, { 2.4, 6 }, { 4.1, 4.3, 4.7 }),
+    softbox({ 0, 2, 9 }, { 9, 5 }, 2.6),
+    environment { color = { 0.14, 0.14, 0.14 } },
   },
   objects = { sweep(), plinth, group(subject):translate { z = 0.5 } },
   render = { size = { 900, 900 }, samples = 160 },
