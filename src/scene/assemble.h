@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "description/scene_description.h"
@@ -22,9 +21,10 @@ struct Instance {
 
 /// A solid object of the scene.
 struct SolidRegion {
-  geometry::Region region;           ///< its tag counts in `Solids::slots`
-  std::optional<Instance> instance;  ///< in place of `region.root`
-  std::uint32_t object = 0;          ///< its number among the leaves of the scene
+  static constexpr std::uint32_t no_instance = ~0u;
+  geometry::Region region;               ///< its tag counts in `Solids::slots`
+  std::uint32_t instance = no_instance;  ///< into `Solids::instances`, in place of `region.root`
+  std::uint32_t object = 0;              ///< its number among the leaves of the scene
   schema::CallSite where;
 };
 
@@ -42,6 +42,7 @@ inline constexpr std::size_t most_leaves = std::size_t{1} << 24;
 struct Solids {
   geometry::Expression expression;  ///< in the world
   std::vector<Assembly> assemblies;
+  std::vector<Instance> instances;
   std::vector<SolidRegion> regions;  ///< in the order of writing
   std::vector<SolidSlot> slots;      ///< what the tags of leaves and regions count in
   /// The material that fills each medium, glass or opaque; that of number 0, which surrounds
