@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "geometry/placed_solid.h"
@@ -93,7 +92,10 @@ struct Instance {
 
 /// A body of the world: where it is, what fills it and what its surface wears.
 struct Region {
-  std::variant<Expression::Term, Instance> root;  ///< a term of the world's own expression
+  static constexpr std::uint32_t no_instance = ~0u;
+
+  Expression::Term root;                 ///< a term of the world's own expression
+  std::uint32_t instance = no_instance;  ///< of an assembly, in place of `root`
   SurfaceTag tag = 0;  ///< of leaves that inherit
   /// What fills it; 0 is what surrounds everything. Between regions of the same medium there is no
   /// surface.

@@ -36,12 +36,12 @@ SolidScene::SolidScene(Parts parts) : regions_(std::move(parts.regions)) {
   std::vector<Box3d> guests;
   region_bounds_.resize(regions_.size());
   for (std::uint32_t i = 0; i < regions_.size(); ++i) {
-    if (const auto* root = std::get_if<Term>(&regions_[i].root)) {
-      roots.push_back(*root);
+    if (regions_[i].instance == Region::no_instance) {
+      roots.push_back(regions_[i].root);
       root_regions_.push_back(i);
       continue;
     }
-    const auto& instance = std::get<Instance>(regions_[i].root);
+    const Instance& instance = parts.instances[regions_[i].instance];
     const Box3d& own = assemblies_[instance.assembly].bounds(0);
     places_.push_back(
         {i, instance.assembly, OwnSpace(instance.world_from_assembly), reach_of(own)});

@@ -19,6 +19,7 @@ class SolidScene {
   struct Parts {
     Expression expression;
     std::vector<Assembly> assemblies;
+    std::vector<Instance> instances;
     std::vector<Region> regions;
   };
 

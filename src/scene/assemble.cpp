@@ -170,7 +170,7 @@ class Assembler {
   }
 
   void add(const Leaf& leaf);
-  std::optional<geometry::Instance> instance_of(const Leaf& leaf);
+  std::optional<std::uint32_t> assembly_of(const Leaf& leaf);
   Expression::Term root_of(const Leaf& leaf, SolidWriter& writer);
   std::uint32_t slot(const MaterialPtr& material);
   SolidWriter::TagOf tags(const Leaf& leaf);
@@ -219,8 +219,9 @@ void Assembler::add(const Leaf& leaf) {
   region.priority = leaf.priority;
   region.opacity =
       description::as_glass(*filling) ? geometry::Opacity::transparent : geometry::Opacity::opaque;
-  if (const auto instance = instance_of(leaf)) {
-    region.root = *instance;
+  if (const auto assembly = assembly_of(leaf)) {
+    region.instance = static_cast<std::uint32_t>(solids_.instances.size());
+    solids_.instances.push_back({*assembly, leaf.world_from_object});
   } else {
     SolidWriter writer(solids_.expression, tags(leaf), most_);
     region.root = root_of(leaf, writer);
@@ -240,7 +241,8 @@ Expression::Term Assembler::root_of(const Leaf& leaf, SolidWriter& writer) {
                            : solids_.expression.add(geometry::Operation::intersect, terms);
 }
 
-std::optional<geometry::Instance> Assembler::instance_of(const Leaf& leaf) {
+/// What `leaf` is an instance of.
+std::optional<std::uint32_t> Assembler::assembly_of(const Leaf& leaf) {
   const auto design = design_of(leaf);
   if (!design || cut_by_scene_) return std::nullopt;
   Uses& uses = uses_.at(*design);
@@ -256,7 +258,7 @@ std::optional<geometry::Instance> Assembler::instance_of(const Leaf& leaf) {
     uses.assembly = static_cast<std::uint32_t>(solids_.assemblies.size());
     solids_.assemblies.push_back(std::move(assembly));
   }
-  return geometry::Instance{*uses.assembly, leaf.world_from_object};
+  return uses.assembly;
 }
 
 }  // namespace

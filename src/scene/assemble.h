@@ -29,6 +29,7 @@ inline constexpr std::size_t most_leaves = std::size_t{1} << 24;
 struct Solids {
   geometry::Expression expression;  ///< in the world
   std::vector<geometry::Assembly> assemblies;
+  std::vector<geometry::Instance> instances;
   std::vector<SolidRegion> regions;  ///< in the order of writing
   std::vector<SolidSlot> slots;      ///< what the tags of leaves and regions count in
   /// The material that fills each medium, glass or opaque; that of number 0, which surrounds

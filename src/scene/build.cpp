@@ -100,15 +100,15 @@ void Builder::add_solids(Solids&& solids) {
   }
   world_.solids.expression = std::move(solids.expression);
   world_.solids.assemblies = std::move(solids.assemblies);
+  world_.solids.instances = std::move(solids.instances);
 }
 
 void Builder::add_light_of(const SolidRegion& region, const geometry::Expression& expression) {
   Slot& slot = parts_.slots[region.region.tag];
   const auto* emission = emission_of(*kept_[slot.material]);
   if (emission == nullptr) return;
-  const auto root = std::get<geometry::Expression::Term>(region.region.root);
-  add_light(slot,
-            lights_.solid(expression.leaves()[root.index()].solid, *emission, region.where));
+  const geometry::Expression::Term root = region.region.root;
+  add_light(slot, lights_.solid(expression.leaves()[root.index()].solid, *emission, region.where));
 }
 
 /// The number of the medium that fills what wears this glass.

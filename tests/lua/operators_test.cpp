@@ -107,6 +107,24 @@ TEST_F(Operators, SayWhatCannotBeCombined) {
   EXPECT_THAT(error_with("-ball"), HasSubstr("there is no '-' of solids"));
 }
 
+TEST_F(Operators, TakeAttributes) {
+  const auto loaded = load(R"(
+    local wine = glass { 1.34, color = {0.5, 0, 0.1}, distance = 3 }
+    local cup = (sphere {} - sphere { radius = 0.9 }):material(glass(1.5)):priority(2)
+    return scene {
+      objects = { cup, sphere { radius = 0.91, interior = wine, cut = matte 'red' } },
+      section = half_space { normal = {0, 1, 0} },
+    })");
+  ASSERT_EQ(loaded.scene.objects.size(), 2u);
+  EXPECT_EQ(loaded.scene.objects[0]->attributes->priority, 2);
+  const auto& drink = *loaded.scene.objects[1]->attributes;
+  EXPECT_EQ(description::as_glass(*drink.interior)->absorption->distance, 3);
+  EXPECT_EQ(drink.cut->rule, description::Cut::Rule::material);
+  EXPECT_TRUE(loaded.scene.section);
+  EXPECT_THAT(error_of("return scene { section = rectangle {} }"),
+              HasSubstr("section of scene must be a solid, not a rectangle (a rectangle encloses"));
+}
+
 TEST_F(Operators, GrowALoopsSolidInPlace) {
   const auto loaded = load(R"(
     local p = box { size = {9, 9, 9} }

@@ -84,10 +84,13 @@ bool inside(const Expression& expression, Expression::Term term, Vec3d p) {
 }
 
 bool inside(const Solids& solids, const scene::SolidRegion& region, Vec3d p) {
-  if (!region.instance) return inside(solids.expression, region.region.root, p);
-  const auto& assembly = solids.assemblies[region.instance->assembly];
+  if (region.instance == scene::geometry::Region::no_instance) {
+    return inside(solids.expression, region.region.root, p);
+  }
+  const scene::Instance& instance = solids.instances.at(region.instance);
+  const scene::Assembly& assembly = solids.assemblies.at(instance.assembly);
   return inside(assembly.expression, assembly.root,
-                region.instance->world_from_assembly.inverse().point(p));
+                instance.world_from_assembly.inverse().point(p));
 }
 
 /// Makes solids of solids that it made before.
@@ -188,9 +191,9 @@ TEST(Assemble, StatesWhatStandsInSeveralPlacesOnce) {
   EXPECT_EQ(solids.assemblies[0].expression.leaves().size(), 10u);
   EXPECT_EQ(solids.expression.leaves().size(), 1u);
   ASSERT_EQ(solids.regions.size(), 4u);
-  EXPECT_FALSE(solids.regions[1].instance);
+  EXPECT_EQ(solids.regions[1].region.instance, scene::geometry::Region::no_instance);
   const auto x = [&](std::size_t i) {
-    return solids.regions[i].instance.value().world_from_assembly.point({}).x;
+    return solids.instances.at(solids.regions[i].region.instance).world_from_assembly.point({}).x;
   };
   EXPECT_EQ(x(0), 1);
   EXPECT_EQ(x(2), 5);
