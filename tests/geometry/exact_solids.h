@@ -145,6 +145,9 @@ inline Stretch inside(const Cylinder& c, const ExactLine& line) {
 [[noreturn]] inline Stretch inside(const Polyhedron&, const ExactLine&) {
   throw std::logic_error("compared elsewhere");
 }
+[[noreturn]] inline Stretch inside(const Prism&, const ExactLine&) {
+  throw std::logic_error("compared elsewhere");
+}
 inline Stretch inside(const Solid& solid, const ExactLine& line) {
   return std::visit([&](const auto& kind) { return inside(kind, line); }, solid);
 }
@@ -169,6 +172,9 @@ inline Quad depth(const Cylinder& c, const Vec& p) {
   throw std::logic_error("compared elsewhere");
 }
 [[noreturn]] inline Quad depth(const Polyhedron&, const Vec&) {
+  throw std::logic_error("compared elsewhere");
+}
+[[noreturn]] inline Quad depth(const Prism&, const Vec&) {
   throw std::logic_error("compared elsewhere");
 }
 inline Quad depth(const Solid& solid, const Vec& p) {
