@@ -94,10 +94,53 @@ NodeKind polyhedron() {
   });
 }
 
+struct PrismParameters {
+  std::vector<Vec2d> points;
+  std::vector<std::vector<Vec2d>> holes;
+  double height = 1.0;
+  double scale = 1.0;
+};
+
+NodeKind prism() {
+  using P = PrismParameters;
+  using Parameters = ObjectOf<P>;
+  Declaration<Parameters> d({.name = "prism",
+                             .doc = "A polygon in the plane z = 0, drawn out along z.",
+                             .section = section});
+  d.parameter("points", &P::points,
+              {.doc = "The outline: corners {x, y}, in order either way round.",
+               .unit = Unit::length,
+               .need = schema::Need::required})
+      .parameter(
+          "holes", &P::holes,
+          {.doc = "Lists of corners {x, y}, each a hole all the way up.", .unit = Unit::length})
+      .parameter("height", &P::height,
+                 {.doc = "How far it reaches up from z = 0.",
+                  .unit = Unit::length,
+                  .range = schema::positive})
+      .parameter("scale", &P::scale,
+                 {.doc = "Width of the top as a multiple of the bottom's, about the z axis; 0 for "
+                         "a pyramid.",
+                  .range = schema::non_negative});
+  return node_kind(declare_object(d), [](Parameters&& p, const Context& context) {
+    std::size_t count = p.points.size();
+    for (const auto& hole : p.holes) count += hole.size();
+    check_count(count, most_vertices, context.at("points"));
+    try {
+      const Solid made = geometry::make_prism({p.points, p.holes}, p.height, p.scale);
+      schema::Node node = object_node(made, std::move(p), context);
+      node.bytes += 512 * count;
+      return node;
+    } catch (const Error& error) {
+      throw context.error(error.problem(), error.hint());
+    }
+  });
+}
+
 }  // namespace
 
 std::vector<NodeKind> body_kinds() {
-  return {polyhedron()};
+  return {polyhedron(), prism()};
 }
 
 }  // namespace lapidary::description

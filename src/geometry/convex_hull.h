@@ -9,13 +9,6 @@
 
 namespace lapidary::geometry {
 
-/// On which side of the plane through a, b, c the point d lies: 1 when a, b, c turn clockwise seen
-/// from d (so d is behind a triangle that is counter-clockwise from the front), -1 in front of it,
-/// 0 in the plane. Exact for coordinates and differences of 1e-90 .. 1e90: a floating-point filter,
-/// then expansions.
-/// Source: Shewchuk 1997, section 4.3 for the filter, 2.3 for expansions.
-int orientation(Vec3d a, Vec3d b, Vec3d c, Vec3d d);
-
 /// The convex hull of points as triangles.
 struct ConvexHull {
   using Triangle = std::array<std::uint32_t, 3>;

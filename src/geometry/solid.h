@@ -10,6 +10,7 @@
 #include "geometry/interval_events.h"
 #include "geometry/mesh_body.h"
 #include "geometry/polyhedron.h"
+#include "geometry/prism.h"
 #include "geometry/sphere.h"
 #include "math/interval.h"
 #include "math/transform.h"
@@ -30,7 +31,7 @@ namespace lapidary::geometry {
 /// so a forgotten function is a compile error at the visit below. The visits are switches that
 /// inline. Copying a kind does not throw, so a Solid is never without value; one with much data
 /// holds it as a shared pointer to const.
-using Solid = std::variant<Sphere, Box, HalfSpace, Cylinder, MeshBody, Polyhedron, Cone>;
+using Solid = std::variant<Sphere, Box, HalfSpace, Cylinder, MeshBody, Polyhedron, Cone, Prism>;
 
 /// Every exact event of the solid on the line has a reported one within its tau, and no other is
 /// reported, except that chords no longer than the tau of their ends may be missing or extra.

@@ -19,6 +19,7 @@ using geometry::Cylinder;
 using geometry::HalfSpace;
 using geometry::MeshBody;
 using geometry::Polyhedron;
+using geometry::Prism;
 using geometry::Sheet;
 using geometry::Solid;
 using geometry::Sphere;
@@ -42,6 +43,7 @@ struct VolumeOf {
   double operator()(const HalfSpace&) const { return infinity; }
   double operator()(const MeshBody& m) const { return m.volume(); }
   double operator()(const Polyhedron& p) const { return p.volume(); }
+  double operator()(const Prism& p) const { return p.volume(); }
 };
 
 std::optional<double> finite(double value) {

@@ -35,6 +35,7 @@ struct KindOf {
   std::string operator()(const geometry::HalfSpace&) const { return "half-space"; }
   std::string operator()(const geometry::MeshBody&) const { return "mesh"; }
   std::string operator()(const geometry::Polyhedron&) const { return "polyhedron"; }
+  std::string operator()(const geometry::Prism&) const { return "prism"; }
   std::string operator()(const geometry::Rectangle&) const { return "rectangle"; }
   std::string operator()(const geometry::Disk&) const { return "disk"; }
 };

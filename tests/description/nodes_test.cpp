@@ -75,6 +75,24 @@ TEST_F(NodeTest, PolyhedraComeFromPlanesOrCorners) {
               HasSubstr("did you mean 'normal'?"));
 }
 
+TEST_F(NodeTest, PrismsAreDrawnOutPolygons) {
+  const auto plate =
+      solid<geometry::Prism>("prism",
+                             "{points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}}, height = 2,"
+                             " holes = {{{1, 1}, {2, 1}, {2, 2}, {1, 2}}}}");
+  EXPECT_NEAR(plate.volume(), 30.0, 1e-13);
+  const auto pyramid = solid<geometry::Prism>(
+      "prism", "{points = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, height = 3, scale = 0}");
+  EXPECT_NEAR(pyramid.volume(), 4.0, 1e-14);
+  EXPECT_EQ(make_.error_of("prism", "{points = {{0, 0}, {1, 1}, {1, 0}, {0, 1}}}"),
+            "scene.lua:7: the edge from points[3] to points[4] touches that from points[1] to "
+            "points[2] (outlines must not cross or touch themselves or each other)");
+  EXPECT_THAT(make_.error_of("prism", "{points = {{0, 0}, {1, 1}}}"), HasSubstr("needs three"));
+  EXPECT_THAT(make_.error_of("prism", "{height = 2}"), HasSubstr("points"));
+  EXPECT_THAT(make_.error_of("prism", "{points = {{0, 0}, {1, 0}, {0, 1}}, height = 0}"),
+              HasSubstr("greater than 0"));
+}
+
 TEST_F(NodeTest, AliasesGoByTheirOwnNames) {
   EXPECT_EQ(make_.error_of("plane", "{nromal = {0, 0, 1}}"),
             "scene.lua:7: unknown parameter 'nromal' of plane (did you mean 'normal'?)");

@@ -164,12 +164,6 @@ inline Quad depth(const Cylinder& c, const Vec& p) {
   const Quad height = length(a), along = dot(q, a) / height;
   return least(Quad(c.radius) - length(cross(q, a)) / height, least(along, height - along));
 }
-[[noreturn]] inline Quad depth(const MeshBody&, const Vec&) {
-  throw std::logic_error("compared elsewhere");
-}
-[[noreturn]] inline Quad depth(const Polyhedron&, const Vec&) {
-  throw std::logic_error("compared elsewhere");
-}
 inline Quad depth(const Solid& solid, const Vec& p) {
   return std::visit(
       [&](const auto& kind) -> Quad {

@@ -84,11 +84,11 @@ bool inside(const Expression& expression, Expression::Term term, Vec3d p) {
 }
 
 bool inside(const Solids& solids, const scene::SolidRegion& region, Vec3d p) {
-  if (region.instance == scene::geometry::Region::no_instance) {
+  if (region.region.instance == geometry::Region::no_instance) {
     return inside(solids.expression, region.region.root, p);
   }
-  const scene::Instance& instance = solids.instances.at(region.instance);
-  const scene::Assembly& assembly = solids.assemblies.at(instance.assembly);
+  const geometry::Instance& instance = solids.instances.at(region.region.instance);
+  const geometry::Assembly& assembly = solids.assemblies.at(instance.assembly);
   return inside(assembly.expression, assembly.root,
                 instance.world_from_assembly.inverse().point(p));
 }
@@ -191,7 +191,7 @@ TEST(Assemble, StatesWhatStandsInSeveralPlacesOnce) {
   EXPECT_EQ(solids.assemblies[0].expression.leaves().size(), 10u);
   EXPECT_EQ(solids.expression.leaves().size(), 1u);
   ASSERT_EQ(solids.regions.size(), 4u);
-  EXPECT_EQ(solids.regions[1].region.instance, scene::geometry::Region::no_instance);
+  EXPECT_EQ(solids.regions[1].region.instance, geometry::Region::no_instance);
   const auto x = [&](std::size_t i) {
     return solids.instances.at(solids.regions[i].region.instance).world_from_assembly.point({}).x;
   };
