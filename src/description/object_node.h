@@ -28,12 +28,13 @@ schema::Declaration<T>& declare_object(schema::Declaration<T>& declaration) {
       .parameter("name", &ObjectParameters::name, {.doc = "For reports and layers."});
 }
 
-/// A finished object as a node.
+/// A finished object as a node, at the place where it is stated or at one of its own.
 template <typename Content>
-schema::Node object_node(Content content, ObjectParameters&& common,
-                         const schema::Context& context) {
+schema::Node object_node(Content content, ObjectParameters&& common, const schema::Context& context,
+                         std::shared_ptr<const Transform> placement = nullptr) {
   auto object = std::make_shared<Object>();
   object->content = std::move(content);
+  object->placement = std::move(placement);
   object->material = std::move(common.material);
   if (!common.name.empty()) {
     object->name = std::make_shared<const std::string>(std::move(common.name));

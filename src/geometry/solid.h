@@ -9,6 +9,7 @@
 #include "geometry/half_space.h"
 #include "geometry/interval_events.h"
 #include "geometry/sphere.h"
+#include "geometry/torus.h"
 #include "math/interval.h"
 #include "math/transform.h"
 
@@ -27,7 +28,7 @@ namespace lapidary::geometry {
 ///
 /// so a forgotten function is a compile error at the visit below. The visits are switches that
 /// inline; kinds are trivially copyable, so a Solid is never without value.
-using Solid = std::variant<Sphere, Box, HalfSpace, Cylinder, Cone>;
+using Solid = std::variant<Sphere, Box, HalfSpace, Cylinder, Cone, Torus>;
 
 /// Every exact event of the solid on the line has a reported one within its tau, and no other is
 /// reported, except that chords no longer than the tau of their ends may be missing or extra.
@@ -50,9 +51,9 @@ double area(const Solid& solid);
 BoundaryPoint sample_boundary(const Solid& solid, Vec2d u, double u_patch);
 
 /// The image of the solid under a map, where it is a solid of the same kind with the same patches:
-/// spheres, cylinders and cones under similarities, boxes under positive scaling along the axes and
-/// translation, half-spaces under any map. Otherwise nothing.
-/// Accuracy: a few roundings of the coordinates; similarities as Transform::similarity has it.
+/// spheres, cylinders, cones and tori under similarities, boxes under positive scaling along the
+/// axes and translation, half-spaces under any map. Otherwise nothing. Accuracy: a few roundings of
+/// the coordinates; similarities as Transform::similarity has it.
 std::optional<Solid> transformed(const Solid& solid, const Transform& world_from_object);
 
 }  // namespace lapidary::geometry

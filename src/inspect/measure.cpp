@@ -19,6 +19,7 @@ using geometry::HalfSpace;
 using geometry::Sheet;
 using geometry::Solid;
 using geometry::Sphere;
+using geometry::Torus;
 using geometry::TriangleMesh;
 
 struct VolumeOf {
@@ -36,6 +37,7 @@ struct VolumeOf {
     const double r = c.radius, r2 = c.radius2;
     return std::numbers::pi / 3.0 * (r * r + r * r2 + r2 * r2) * length(c.to - c.from);
   }
+  double operator()(const Torus& t) const { return volume(t); }
   double operator()(const HalfSpace&) const { return infinity; }
 };
 
