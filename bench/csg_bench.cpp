@@ -13,8 +13,8 @@ using namespace lapidary::bench;
 
 struct View {
   Vec3d from, at;
-  double angle;    ///< horizontal, degrees
-  double floor;    ///< height of the plane below
+  double angle;  ///< horizontal, degrees
+  double floor;  ///< height of the plane below
   Vec3d light;
 };
 
@@ -84,11 +84,9 @@ void million() {
   std::optional<geometry::World> world;
   const double build =
       cpu_seconds([&] { world.emplace(world_of(std::move(expression), plate, of_plate)); });
-  report("csg.perforated.1000000.mrays_per_core", mrays_per_core(*world, of_plate), "M/s",
-         ">=2.5");
+  report("csg.perforated.1000000.mrays_per_core", mrays_per_core(*world, of_plate), "M/s", ">=2.5");
   report("csg.build.million_seconds", build, "s", "<=2");
-  report("csg.bytes_per_operand", static_cast<double>(world->solids().bytes()) / 1e6, "B",
-         "<=300");
+  report("csg.bytes_per_operand", static_cast<double>(world->solids().bytes()) / 1e6, "B", "<=300");
 }
 
 }  // namespace

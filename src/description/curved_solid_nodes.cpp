@@ -6,6 +6,7 @@ namespace {
 
 using geometry::Cone;
 using geometry::Solid;
+using geometry::Torus;
 using schema::Context;
 using schema::Declaration;
 using schema::NodeKind;
@@ -35,10 +36,52 @@ NodeKind cone() {
   });
 }
 
+NodeKind torus() {
+  Declaration<ObjectOf<Torus>> d(
+      {.name = "torus", .doc = "A ring: what a disk sweeps around an axis.", .section = section});
+  d.parameter("center", &Torus::center, {.doc = "The middle of the ring.", .unit = Unit::length})
+      .parameter("axis", &Torus::axis, {.doc = "What it goes around; of any length."})
+      .parameter("major_radius", &Torus::major_radius,
+                 {.doc = "Distance from the axis to the disk's centre.",
+                  .unit = Unit::length,
+                  .range = schema::positive})
+      .parameter("minor_radius", &Torus::minor_radius,
+                 {.doc = "Radius of the disk; beyond 'major_radius' the hole is closed.",
+                  .unit = Unit::length,
+                  .range = schema::positive});
+  return node_kind(declare_object(d), [](ObjectOf<Torus>&& t, const Context& context) {
+    if (length(t.axis) == 0.0) context.at("axis").fail("must not be zero");
+    t.axis = normalize(t.axis);
+    return object_node(Solid(static_cast<const Torus&>(t)), std::move(t), context);
+  });
+}
+
+/// A ball of its own under a placement of its own.
+struct EllipsoidParameters {
+  Vec3d center;
+  Vec3d radii{1, 0.75, 0.5};
+};
+
+NodeKind ellipsoid() {
+  using Parameters = ObjectOf<EllipsoidParameters>;
+  Declaration<Parameters> d(
+      {.name = "ellipsoid", .doc = "A ball stretched along the axes.", .section = section});
+  d.parameter("center", &EllipsoidParameters::center, {.doc = "Its centre.", .unit = Unit::length})
+      .parameter("radii", &EllipsoidParameters::radii,
+                 {.doc = "Its half extents along x, y and z.",
+                  .unit = Unit::length,
+                  .range = schema::positive});
+  return node_kind(declare_object(d), [](Parameters&& e, const Context& context) {
+    auto placement = std::make_shared<const Transform>(Transform::translation(e.center) *
+                                                       Transform::scaling(e.radii));
+    return object_node(Solid(geometry::Sphere{}), std::move(e), context, std::move(placement));
+  });
+}
+
 }  // namespace
 
 std::vector<NodeKind> curved_solid_kinds() {
-  return {cone()};
+  return {cone(), torus(), ellipsoid()};
 }
 
 }  // namespace lapidary::description

@@ -196,7 +196,8 @@ Method apply_section() {
 std::vector<Method> object_methods() {
   return {
       {info("material",
-            "The object wearing a material; parts of a group or a combination that wear one keep it.",
+            "The object wearing a material; parts of a group or a combination that wear one keep "
+            "it.",
             {"ball:material(glass \"N-BK7\")",
              "ball:material(metal { \"gold\", roughness = 0.1 })"}),
        apply_material},

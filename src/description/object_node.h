@@ -54,12 +54,13 @@ schema::Declaration<T>& declare_object(schema::Declaration<T>& declaration) {
 /// `object` with the parameters that are not its own yet.
 ObjectPtr with_parameters(Object&& object, ObjectParameters&& common);
 
-/// A finished object as a node.
+/// A finished object as a node, at the place where it is stated or at one of its own.
 template <typename Content>
-schema::Node object_node(Content content, ObjectParameters&& common,
-                         const schema::Context& context) {
+schema::Node object_node(Content content, ObjectParameters&& common, const schema::Context& context,
+                         std::shared_ptr<const Transform> placement = nullptr) {
   ObjectPtr object = with_parameters(
-      {std::move(content), nullptr, nullptr, nullptr, context.call().where}, std::move(common));
+      {std::move(content), std::move(placement), nullptr, nullptr, context.call().where},
+      std::move(common));
   return schema::Node::of<Object>(context.call().node, std::move(object), sizeof(Object));
 }
 

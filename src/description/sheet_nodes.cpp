@@ -19,10 +19,9 @@ NodeKind rectangle() {
                              .examples = {"rectangle { size = { 4, 3 }, normal = { 0, -1, 0 } }",
                                           "rectangle { corner = { 0, 0, 0 }, edge_u = { 4, 0, 0 }, "
                                           "edge_v = { 0, 0, 3 } }"}});
-  return node_kind(
-      declare_sheet(declare_rectangle(d)), [](Parameters&& r, const Context& context) {
-        return object_node(geometry::Sheet(to_rectangle(r, context)), std::move(r), context);
-      });
+  return node_kind(declare_sheet(declare_rectangle(d)), [](Parameters&& r, const Context& context) {
+    return object_node(geometry::Sheet(to_rectangle(r, context)), std::move(r), context);
+  });
 }
 
 NodeKind disk() {

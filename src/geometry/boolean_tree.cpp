@@ -76,7 +76,8 @@ struct BooleanTree::Normaliser {
         tree.nodes_.push_back({operation, operation == Operation::unite ? 1u : 0u, 0});
       }
       const Link link(Link::Target::node, face.node, false);
-      for (const Term operand : expression.operands(node)) feed(complement ? ~operand : operand, link);
+      for (const Term operand : expression.operands(node))
+        feed(complement ? ~operand : operand, link);
     }
   }
 

@@ -73,8 +73,9 @@ class BooleanTree {
 
 /// Boxes that follow from a tree.
 struct ClippedBounds {
-  std::vector<Box3d> leaves;  ///< outside of it nothing depends on the leaf; empty where nothing does
-  std::vector<Box3d> roots;   ///< outside of it the root is false
+  std::vector<Box3d>
+      leaves;  ///< outside of it nothing depends on the leaf; empty where nothing does
+  std::vector<Box3d> roots;  ///< outside of it the root is false
 };
 
 /// `leaf_bounds` are those of the solids.

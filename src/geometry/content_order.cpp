@@ -31,6 +31,10 @@ int compare(const Polyhedron& a, const Polyhedron& b) {
   return 0;
 }
 
+int compare(const Prism& a, const Prism& b) {
+  return compare_content(a, b);
+}
+
 /// Plain structs of doubles, by their bits.
 template <typename Kind>
 int compare(const Kind& a, const Kind& b) {

@@ -6,7 +6,7 @@
 
 namespace lapidary::geometry {
 
-// What placing a cone takes, as placed_solid.cpp has it for the kinds it knows itself:
+// What placing cones and tori takes, as placed_solid.cpp has it for the kinds it knows itself:
 //   image          of the solid under the map, where it is of the same kind
 //   image_error    bounds how far the surface of `image`, computed in doubles, is from the exact
 //   one affine_bounds  of the exact image under any map, to rounding affine_area    of the image
@@ -16,5 +16,10 @@ std::optional<Solid> image(const Cone& cone, const Transform& map);
 double image_error(const Cone& solid, const Cone& image, const Transform& map);
 Box3d affine_bounds(const Cone& cone, const Transform& map);
 double affine_area(const Cone& cone, const Mat3& linear);
+
+std::optional<Solid> image(const Torus& torus, const Transform& map);
+double image_error(const Torus& solid, const Torus& image, const Transform& map);
+Box3d affine_bounds(const Torus& torus, const Transform& map);
+double affine_area(const Torus& torus, const Mat3& linear);
 
 }  // namespace lapidary::geometry

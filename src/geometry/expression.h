@@ -96,7 +96,7 @@ struct Region {
 
   Expression::Term root;                 ///< a term of the world's own expression
   std::uint32_t instance = no_instance;  ///< of an assembly, in place of `root`
-  SurfaceTag tag = 0;  ///< of leaves that inherit
+  SurfaceTag tag = 0;                    ///< of leaves that inherit
   /// What fills it; 0 is what surrounds everything. Between regions of the same medium there is no
   /// surface.
   std::uint32_t medium = 0;

@@ -1,6 +1,8 @@
 #include "geometry/prism.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 
 #include "geometry/triangle_shell.h"
 #include "geometry/triangulate.h"
@@ -190,6 +192,15 @@ Box3d affine_bounds(const Prism& prism, const Transform& map) {
 
 double affine_area(const Prism& prism, const Mat3& linear) {
   return prism.data_->shell.affine_area(linear);
+}
+
+int compare_content(const Prism& a, const Prism& b) {
+  const Prism::Data &p = *a.data_, &q = *b.data_;
+  const std::array<double, 2> sizes_a{p.height, p.scale}, sizes_b{q.height, q.scale};
+  const int sizes = std::memcmp(&sizes_a, &sizes_b, sizeof(sizes_a));
+  if (sizes != 0 || a.data_ == b.data_) return sizes;
+  if (p.sides.size() != q.sides.size()) return p.sides.size() < q.sides.size() ? -1 : 1;
+  return std::memcmp(p.sides.data(), q.sides.data(), p.sides.size() * sizeof(Prism::Data::Side));
 }
 
 }  // namespace lapidary::geometry

@@ -28,6 +28,7 @@ class Prism {
   std::size_t side_count() const;
 
  private:
+  friend int compare_content(const Prism& a, const Prism& b);
   friend Prism make_prism(const Polygon& polygon, double height, double scale);
   explicit Prism(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
@@ -57,6 +58,9 @@ bool contains(const Prism& prism, Vec3d p);
 Box3d bounds(const Prism& prism);
 double area(const Prism& prism);
 BoundaryPoint sample_boundary(const Prism& prism, Vec2d u, double u_patch);
+
+/// Negative, 0 or positive: a total order by what prisms are, to the bit.
+int compare_content(const Prism& a, const Prism& b);
 
 /// Of the image under a map.
 Box3d affine_bounds(const Prism& prism, const Transform& map);

@@ -50,8 +50,8 @@ struct Hit {
   std::uint32_t place = 0;     ///< of a leaf: where its compound stands (Transition::place)
   std::uint32_t triangle = 0;  ///< of the mesh
   SurfaceTag tag = 0;          ///< of a solid
-  /// The regions of solids that fill the ray's way here, and what is behind; of sheets and triangles
-  /// both are the same. Also set when nothing is hit.
+  /// The regions of solids that fill the ray's way here, and what is behind; of sheets and
+  /// triangles both are the same. Also set when nothing is hit.
   std::uint32_t region_before = 0, region_after = 0;
   double tau = 0;  ///< of a solid or sheet: error bound of t
   double b1 = 0;   ///< barycentric weight of the triangle's second corner

@@ -12,6 +12,7 @@
 #include "geometry/polyhedron.h"
 #include "geometry/prism.h"
 #include "geometry/sphere.h"
+#include "geometry/torus.h"
 #include "math/interval.h"
 #include "math/transform.h"
 
@@ -31,7 +32,8 @@ namespace lapidary::geometry {
 /// so a forgotten function is a compile error at the visit below. The visits are switches that
 /// inline. Copying a kind does not throw, so a Solid is never without value; one with much data
 /// holds it as a shared pointer to const.
-using Solid = std::variant<Sphere, Box, HalfSpace, Cylinder, MeshBody, Polyhedron, Cone, Prism>;
+using Solid =
+    std::variant<Sphere, Box, HalfSpace, Cylinder, MeshBody, Polyhedron, Cone, Prism, Torus>;
 
 /// Every exact event of the solid on the line has a reported one within its tau, and no other is
 /// reported, except that chords no longer than the tau of their ends may be missing or extra.
@@ -54,9 +56,10 @@ double area(const Solid& solid);
 BoundaryPoint sample_boundary(const Solid& solid, Vec2d u, double u_patch);
 
 /// The image of the solid under a map, where it is a solid of the same kind with the same patches:
-/// spheres, cylinders and cones under similarities, boxes under positive scaling along the axes and
-/// translation, half-spaces under any map, all others under the identity. Otherwise nothing.
-/// Accuracy: a few roundings of the coordinates; similarities as Transform::similarity has it.
+/// spheres, cylinders, cones and tori under similarities, boxes under positive scaling along the
+/// axes and translation, half-spaces under any map, all others under the identity. Otherwise
+/// nothing. Accuracy: a few roundings of the coordinates; similarities as Transform::similarity has
+/// it.
 std::optional<Solid> transformed(const Solid& solid, const Transform& world_from_object);
 
 }  // namespace lapidary::geometry

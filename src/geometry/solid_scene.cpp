@@ -104,8 +104,9 @@ std::size_t SolidScene::leaf_count() const {
 }
 
 std::size_t SolidScene::bytes() const {
-  std::size_t bytes = world_.bytes() + places_.size() * sizeof(Place) +
-                      regions_.size() * (sizeof(Region) + sizeof(Box3d) + 2 * sizeof(std::uint32_t));
+  std::size_t bytes =
+      world_.bytes() + places_.size() * sizeof(Place) +
+      regions_.size() * (sizeof(Region) + sizeof(Box3d) + 2 * sizeof(std::uint32_t));
   for (const Compound& compound : assemblies_) bytes += compound.bytes();
   return bytes;
 }

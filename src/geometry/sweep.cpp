@@ -44,7 +44,8 @@ struct Sweep::Scratch {
   /// A compound that the ray has come to. Made in place: copying what was just written in parts
   /// stalls the processor.
   struct Slot {
-    Slot(const Compound& c, std::uint32_t at, std::uint32_t node, const Line& in, double displacement)
+    Slot(const Compound& c, std::uint32_t at, std::uint32_t node, const Line& in,
+         double displacement)
         : compound(&c), place(at), first_node(node), line(in), slabs(in, displacement) {}
 
     const Compound* compound;
@@ -360,8 +361,8 @@ bool Sweep::path_changed(std::uint32_t slot, Link link, std::uint32_t region, bo
     link = open.back();
     open.pop_back();
     if (link.is_root()) {
-      const std::uint32_t of_root =
-          at.place == 0 ? scene_.region_of_root(link.index()) : scene_.places()[at.place - 1].region;
+      const std::uint32_t of_root = at.place == 0 ? scene_.region_of_root(link.index())
+                                                  : scene_.places()[at.place - 1].region;
       if (of_root == region) return true;
       continue;
     }
@@ -409,7 +410,8 @@ void Sweep::describe(std::uint32_t before, std::uint32_t after, Transition& foun
              return t.region == region && t.was_inside != s_->is_inside(region);
            });
   };
-  // Where one body ends as another begins, the surface is that of the opaque one, else of the higher.
+  // Where one body ends as another begins, the surface is that of the opaque one, else of the
+  // higher.
   const auto beats = [&](std::uint32_t a, std::uint32_t b) {
     const Opacity oa = scene_.region(a).opacity, ob = scene_.region(b).opacity;
     return oa != ob ? oa == Opacity::opaque : scene_.rank(a) > scene_.rank(b);

@@ -23,6 +23,7 @@ using geometry::Prism;
 using geometry::Sheet;
 using geometry::Solid;
 using geometry::Sphere;
+using geometry::Torus;
 using geometry::TriangleMesh;
 
 struct VolumeOf {
@@ -40,6 +41,7 @@ struct VolumeOf {
     const double r = c.radius, r2 = c.radius2;
     return std::numbers::pi / 3.0 * (r * r + r * r2 + r2 * r2) * length(c.to - c.from);
   }
+  double operator()(const Torus& t) const { return volume(t); }
   double operator()(const HalfSpace&) const { return infinity; }
   double operator()(const MeshBody& m) const { return m.volume(); }
   double operator()(const Polyhedron& p) const { return p.volume(); }

@@ -179,6 +179,7 @@ class Assembler {
   std::size_t most_;  ///< leaves of an expression
   Solids solids_;
   Media media_;
+  MeshSolids meshes_;
   std::map<Design, Uses> uses_;
   bool cut_by_scene_ = false;                           ///< whether the current leaf is
   std::uint32_t object_ = 0;                            ///< number of the current leaf
@@ -223,7 +224,7 @@ void Assembler::add(const Leaf& leaf) {
     region.instance = static_cast<std::uint32_t>(solids_.instances.size());
     solids_.instances.push_back({*assembly, leaf.world_from_object});
   } else {
-    SolidWriter writer(solids_.expression, tags(leaf), most_);
+    SolidWriter writer(solids_.expression, meshes_, tags(leaf), most_);
     region.root = root_of(leaf, writer);
   }
   solids_.regions.push_back(std::move(added));
@@ -253,7 +254,7 @@ std::optional<std::uint32_t> Assembler::assembly_of(const Leaf& leaf) {
       return std::nullopt;
     }
     geometry::Assembly assembly;
-    SolidWriter writer(assembly.expression, tags(leaf), most_);
+    SolidWriter writer(assembly.expression, meshes_, tags(leaf), most_);
     assembly.root = writer.write(leaf.object, {}, leaf.cut);
     uses.assembly = static_cast<std::uint32_t>(solids_.assemblies.size());
     solids_.assemblies.push_back(std::move(assembly));

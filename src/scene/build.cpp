@@ -35,7 +35,9 @@ class Builder {
 
   /// Materials are prepared once, however many wear them.
   Slot& add_slot(const MaterialPtr& material, std::uint32_t object);
-  std::uint32_t last_object() const { return static_cast<std::uint32_t>(parts_.objects.size() - 1); }
+  std::uint32_t last_object() const {
+    return static_cast<std::uint32_t>(parts_.objects.size() - 1);
+  }
   std::uint32_t medium_number(const description::Glass& glass);
   void add_light(Slot& slot, light::Light light);
 
@@ -43,7 +45,8 @@ class Builder {
   SurfaceLights lights_;
   geometry::World::Parts world_;
   std::map<const description::Material*, std::uint32_t> material_index_;
-  std::vector<MaterialPtr> kept_;  ///< those of `parts_.materials`, so that no address is used twice
+  std::vector<MaterialPtr>
+      kept_;  ///< those of `parts_.materials`, so that no address is used twice
   std::vector<MaterialPtr> fillings_;
   std::vector<const description::Glass*> media_;  ///< what media are, null for opaque ones
 };

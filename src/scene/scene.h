@@ -67,9 +67,9 @@ class Scene {
     std::vector<ObjectInfo> objects;
     std::vector<PreparedMaterial> materials;
     std::vector<Slot> slots;
-    std::vector<medium::Medium> media;    ///< number 0 surrounds everything
-    std::vector<Filling> region_fillings; ///< of each region of the world's solids
-    std::vector<Filling> mesh_fillings;   ///< of each mesh placement; medium 0 where it is no glass
+    std::vector<medium::Medium> media;     ///< number 0 surrounds everything
+    std::vector<Filling> region_fillings;  ///< of each region of the world's solids
+    std::vector<Filling> mesh_fillings;  ///< of each mesh placement; medium 0 where it is no glass
     /// First slot of each sheet and mesh placement of the world; of solids tags are slots.
     std::vector<std::uint32_t> sheet_slots, mesh_slots;
     std::vector<light::Light> lights;

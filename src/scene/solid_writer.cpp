@@ -40,10 +40,6 @@ std::size_t mixed(std::size_t hash, const void* p) {
 }
 
 [[noreturn]] void refuse(const Object& operand) {
-  if (std::holds_alternative<description::Mesh>(operand.content)) {
-    throw Error(operand.where.location(), "a mesh cannot be combined with solids in this version",
-                "spheres, boxes, cylinders and half-spaces can");
-  }
   throw Error(operand.where.location(), "a flat sheet encloses nothing that could be combined",
               "use a thin box or a flat cylinder");
 }
@@ -61,7 +57,7 @@ SolidWriter::Term SolidWriter::write(const Object& region, const Transform& worl
                                      const Cut* cut) {
   // That the region wears its material is what leaves inherit.
   const Wear wear{nullptr, cut, false};
-  if (const auto* solid = std::get_if<geometry::Solid>(&region.content)) {
+  if (const geometry::Solid* solid = solid_of(region)) {
     write_leaf(region, *solid, world_from_region, wear);
   } else {
     open(region, world_from_region, wear, Use::once);
@@ -107,7 +103,7 @@ void SolidWriter::enter(const Object& object, const Transform& world_from_parent
   if (object.attributes && object.attributes->cut) wear.cut = &*object.attributes->cut;
   const Transform world_from_object =
       object.placement ? world_from_parent * *object.placement : world_from_parent;
-  const auto* solid = std::get_if<geometry::Solid>(&object.content);
+  const geometry::Solid* solid = solid_of(object);
   if (!solid) return open(object, world_from_object, wear, use);
   if (use == Use::once) return write_leaf(object, *solid, world_from_object, wear);
   const Place place{&object, 0, SetOperation::unite, world_from_object, wear};
@@ -148,8 +144,19 @@ void SolidWriter::open(const Object& object, const Transform& world_from_object,
   levels_.push_back(std::move(level));
 }
 
+/// Null unless it is a single solid or a mesh.
+const geometry::Solid* SolidWriter::solid_of(const Object& object) {
+  if (std::holds_alternative<description::Mesh>(object.content)) return &meshes_.of(object);
+  return std::get_if<geometry::Solid>(&object.content);
+}
+
 void SolidWriter::write_leaf(const Object& object, const geometry::Solid& solid,
-                             const Transform& world_from_object, const Wear& wear) {
+                             const Transform& world_from_object, const Wear& worn) {
+  Wear wear = worn;
+  const auto* mesh = std::get_if<description::Mesh>(&object.content);
+  if (mesh && !wear.forced) {
+    if (const MaterialPtr* own = own_material(object, *mesh)) wear.material = own;
+  }
   if (expression_.leaves().size() >= most_) {
     throw Error(object.where.location(),
                 fmt::format("the solids have more than {} parts, all copies counted", most_),

@@ -7,6 +7,7 @@
 
 #include "description/object.h"
 #include "geometry/expression.h"
+#include "scene/mesh_solids.h"
 
 namespace lapidary::scene {
 
@@ -31,8 +32,8 @@ class SolidWriter {
   using TagOf = std::function<geometry::SurfaceTag(const description::MaterialPtr&)>;
 
   /// `most` is how many leaves the expression may come to have.
-  SolidWriter(geometry::Expression& expression, TagOf tag_of, std::size_t most)
-      : expression_(expression), tag_of_(std::move(tag_of)), most_(most) {}
+  SolidWriter(geometry::Expression& expression, MeshSolids& meshes, TagOf tag_of, std::size_t most)
+      : expression_(expression), meshes_(meshes), tag_of_(std::move(tag_of)), most_(most) {}
 
   /// The region's object itself, which the region wears the material of. Throws Error at what
   /// cannot be an operand, and at the leaf that is one too many.
@@ -77,13 +78,16 @@ class SolidWriter {
   void open(const description::Object& object, const Transform& world_from_object, const Wear& wear,
             Use use);
   void write_leaf(const description::Object& object, const geometry::Solid& solid,
-                  const Transform& world_from_object, const Wear& wear);
+                  const Transform& world_from_object, const Wear& worn);
   Wear wear_of_cutters(const description::Object& minuend,
                        const description::MaterialPtr& of_difference, const Wear& wear);
   const description::MaterialPtr* surface_of(const description::Object& object);
   Term close(const Level& level);
 
+  const geometry::Solid* solid_of(const description::Object& object);
+
   geometry::Expression& expression_;
+  MeshSolids& meshes_;
   TagOf tag_of_;
   std::size_t most_;
   std::vector<Level> levels_;

@@ -161,7 +161,8 @@ MediaPair Path::media_at(const Hit& hit, const Surface& surface) const {
 }
 
 void Path::cross(const Surface& surface, Vec3d direction) {
-  if (surface.kind != SurfaceKind::triangle || scene_.mesh_filling(surface.index).medium == 0) return;
+  if (surface.kind != SurfaceKind::triangle || scene_.mesh_filling(surface.index).medium == 0)
+    return;
   if (dot(surface.geometric_normal, direction) < 0.0) {
     inside_.enter(surface.index);
   } else {

@@ -50,6 +50,17 @@ TEST_F(NodeTest, ShapesMeanWhatTheySay) {
   EXPECT_EQ(frustum.to, Vec3d(1, 0, 0));
   EXPECT_EQ(frustum.radius2, 3);
   EXPECT_EQ(solid<geometry::Cone>("cone", "{}").radius2, 0);
+  const auto ring = solid<geometry::Torus>("torus", "{axis = {0, 3, 0}, major_radius = 2}");
+  EXPECT_EQ(ring.axis, Vec3d(0, 1, 0));
+  EXPECT_EQ(ring.major_radius, 2);
+}
+
+TEST_F(NodeTest, AnEllipsoidIsAStretchedBall) {
+  const auto object = make_.object("ellipsoid", "{center = {1, 2, 3}, radii = {4, 5, 6}}");
+  const auto ball = std::get<geometry::Sphere>(std::get<geometry::Solid>(object->content));
+  EXPECT_EQ(ball.radius, 1);
+  EXPECT_EQ(object->parent_from_object().point({0, 0, 1}), Vec3d(1, 2, 9));
+  EXPECT_EQ(object->parent_from_object().point({1, 0, 0}), Vec3d(5, 2, 3));
 }
 
 TEST_F(NodeTest, PolyhedraComeFromPlanesOrCorners) {
@@ -107,6 +118,11 @@ TEST_F(NodeTest, ShapesWithoutExtentAreRefused) {
   EXPECT_THAT(make_.error_of("cone", "{radius = 0}"),
               HasSubstr("radius of cone and 'radius2' must not both be 0"));
   EXPECT_THAT(make_.error_of("cone", "{radius2 = -1}"), HasSubstr("radius2 of cone"));
+  EXPECT_THAT(make_.error_of("torus", "{axis = {0, 0, 0}}"),
+              HasSubstr("axis of torus must not be zero"));
+  EXPECT_THAT(make_.error_of("torus", "{minor_radius = 0}"), HasSubstr("minor_radius of torus"));
+  EXPECT_THAT(make_.error_of("ellipsoid", "{radii = {1, 0, 1}}"),
+              HasSubstr("radii.y of ellipsoid"));
   EXPECT_THAT(make_.error_of("plane", "{normal = {0, 0, 0}}"),
               HasSubstr("normal of plane must not be zero"));
   EXPECT_THAT(make_.error_of("box", "{min = {0, 0, 0}, max = {1, 0, 1}}"),

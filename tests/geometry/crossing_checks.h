@@ -22,6 +22,9 @@ inline std::string words_of(Vec3d v) {
 inline std::string describe(const Cone& c) {
   return in_words("cone", words_of(c.from), words_of(c.to), c.radius, c.radius2);
 }
+inline std::string describe(const Torus& t) {
+  return in_words("torus", words_of(t.center), words_of(t.axis), t.major_radius, t.minor_radius);
+}
 
 template <typename Kind>
 struct Trial {

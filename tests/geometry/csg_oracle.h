@@ -130,9 +130,9 @@ struct IntModel {
     bool before = false;
     for (std::size_t i = 0; i < at.size(); ++i) {
       const Rational after_it =
-          i + 1 < at.size() ? Rational(at[i].p * at[i + 1].q + at[i + 1].p * at[i].q,
-                                       2 * at[i].q * at[i + 1].q)
-                            : Rational(at[i].p + at[i].q, at[i].q);
+          i + 1 < at.size()
+              ? Rational(at[i].p * at[i + 1].q + at[i + 1].p * at[i].q, 2 * at[i].q * at[i + 1].q)
+              : Rational(at[i].p + at[i].q, at[i].q);
       const bool now = inside(ray, after_it);
       if (i > 0 && now != before) found.push_back(at[i]);
       before = now;

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "exact_solids.h"
 
-/// Cones on lines in 113-bit arithmetic by textbook formulas, as exact_solids.h has the simpler
-/// kinds. Nothing here is shared with the code.
+/// Cones and tori on lines in 113-bit arithmetic by textbook formulas, as exact_solids.h has the
+/// simpler kinds. Nothing here is shared with the code.
 namespace lapidary::geometry::exact {
 
 /// Where a line crosses the boundary, in ascending t.
@@ -91,6 +92,114 @@ inline double stretch_of(const Transform& map) {
 
 inline Vec3d reference_of(const Cone& cone) {
   return cone.from;
+}
+
+/// A polynomial by its coefficients, the constant first.
+using Polynomial = std::vector<Quad>;
+
+inline Quad value_at(const Polynomial& p, Quad x) {
+  Quad sum = 0;
+  for (std::size_t i = p.size(); i-- > 0;) sum = sum * x + p[i];
+  return sum;
+}
+inline Polynomial derivative(const Polynomial& p) {
+  Polynomial d;
+  for (std::size_t i = 1; i < p.size(); ++i) d.push_back(p[i] * static_cast<double>(i));
+  return d;
+}
+inline Polynomial product(const Polynomial& a, const Polynomial& b) {
+  Polynomial c(a.size() + b.size() - 1, 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t k = 0; k < b.size(); ++k) c[i + k] += a[i] * b[k];
+  }
+  return c;
+}
+
+/// A root between low and high, where p has different signs, to the last digits.
+inline Quad root_between(const Polynomial& p, const Polynomial& slope, Quad low, Quad high) {
+  const bool rises = value_at(p, low) < 0;
+  const Quad resolution = (high - low) * Quad(1e-31);
+  Quad x = (low + high) / 2;
+  for (int i = 0; i < 200; ++i) {
+    const Quad f = value_at(p, x);
+    ((f < 0) == rises ? low : high) = x;
+    const Quad s = value_at(slope, x);
+    Quad next = s != 0 ? x - f / s : low;
+    const bool is_newton = next > low && next < high && i % 4 != 3;
+    if (!is_newton) next = (low + high) / 2;
+    const Quad step = magnitude(next - x);
+    x = next;
+    if (step <= resolution) break;
+  }
+  return x;
+}
+
+/// The roots of odd order between low and high: one at most between those of the derivative.
+inline std::vector<Quad> roots_between(const Polynomial& p, Quad low, Quad high) {
+  if (p.size() < 2) return {};
+  const Polynomial slope = derivative(p);
+  std::vector<Quad> borders = roots_between(slope, low, high), roots;
+  borders.insert(borders.begin(), low);
+  borders.push_back(high);
+  for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
+    const Quad a = value_at(p, borders[i]), b = value_at(p, borders[i + 1]);
+    if ((a < 0) != (b < 0)) roots.push_back(root_between(p, slope, borders[i], borders[i + 1]));
+  }
+  return roots;
+}
+
+/// How far p is inside the boundary: the distance from the disk's rim.
+inline Quad depth(const Torus& torus, const Vec& p) {
+  const Vec q = p - Vec(torus.center), n(torus.axis);
+  const Quad z = dot(q, n) / length(n), out = length(cross(q, n)) / length(n) - torus.major_radius;
+  return torus.minor_radius - square_root(out * out + z * z);
+}
+
+/// By the quartic (|p|^2 + R^2 - r^2)^2 - 4 R^2 rho^2; its roots that are no crossings lie within
+/// a spindle torus.
+inline Crossings crossings(const Torus& torus, const ExactLine& line) {
+  const Vec n(torus.axis), d = line.direction;
+  const Vec far = line.origin - Vec(torus.center);
+  const Quad R = torus.major_radius, r = torus.minor_radius, nn = dot(n, n), dd = dot(d, d);
+  const Quad nearest = -dot(far, d) / dd;
+  const Vec q = far + d * nearest, v = cross(q, n), w = cross(d, n);
+  const Quad end = (R + r) * Quad(1.1) / square_root(dd);
+  if (dot(q, q) > (R + r) * (R + r)) return {};
+  const Polynomial sphere{dot(q, q) + R * R - r * r, 2 * dot(q, d), dd};
+  const Polynomial rho{dot(v, v) / nn, 2 * dot(v, w) / nn, dot(w, w) / nn};
+  Polynomial f = product(sphere, sphere);
+  for (std::size_t i = 0; i < 3; ++i) f[i] = f[i] - 4 * R * R * rho[i];
+  Crossings crossings;
+  std::vector<Quad> roots = roots_between(f, -end, end);
+  // Through a dent or along the axis, to within 1e-17, the quartic has double roots that rounding
+  // may take away: those of the sphere, or that by the axis.
+  for (const Quad root : roots_between(sphere, -end, end)) roots.push_back(root);
+  const Quad by_axis = dot(w, w) > 0 ? -dot(v, w) / dot(w, w) : end;
+  if (magnitude(by_axis) < end) roots.push_back(by_axis);
+  std::sort(roots.begin(), roots.end());
+  roots.push_back(end);
+  bool inside = false;
+  for (std::size_t i = 0; i + 1 < roots.size(); ++i) {
+    // Not the middle, where lines through the centre may touch a horn torus from within.
+    const Vec p = q + d * (roots[i] + (roots[i + 1] - roots[i]) * Quad(0.4375));
+    const bool inside_after = i + 2 < roots.size() && depth(torus, p + Vec(torus.center)) > 0;
+    if (inside_after != inside) crossings.t.push_back(nearest + roots[i]);
+    inside = inside_after;
+  }
+  return crossings;
+}
+
+inline double least_extent(const Torus& torus) {
+  return std::min(torus.major_radius, torus.minor_radius);
+}
+
+/// No straight line lies on a torus.
+inline bool runs_along(const Torus&, const ExactLine&, double) {
+  return false;
+}
+
+inline Vec3d reference_of(const Torus& torus) {
+  return torus.center;
 }
 
 }  // namespace lapidary::geometry::exact

@@ -3,7 +3,7 @@
 #include "geometry/placed_solid.h"
 #include "hostile_lines.h"
 
-/// Cones and lines that are hard on purpose for them.
+/// Cones, tori and lines that are hard on purpose for them.
 namespace lapidary::geometry::hostile {
 
 template <typename Kind>
@@ -45,6 +45,64 @@ inline Line special_line(const Cone& cone, const Setting& s, Random& random) {
   l.direction = apex - l.origin;
   if (l.direction == Vec3d{}) l.direction = a;
   l.origin = l.at(random.uniform(-3.0, 3.0));
+  if (random.index(2) == 0) l.origin += random.direction() * (s.scale * random.magnitude(-18, -6));
+  return l;
+}
+
+template <>
+inline Torus make<Torus>(const Setting& s, Random& random) {
+  Torus torus{s.point(random), normalize(s.nonzero(random)), s.size(random), s.size(random)};
+  if (random.index(4) == 0) torus.axis = {0, 0, 1};
+  switch (random.index(6)) {
+    case 0:
+      torus.minor_radius = torus.major_radius * random.magnitude(-4, -1);
+      break;
+    case 1:
+      torus.minor_radius = torus.major_radius;
+      break;
+    case 2:
+      torus.minor_radius = torus.major_radius * (1.0 + random.magnitude(-15, 0));
+      break;
+    default:
+      break;
+  }
+  return torus;
+}
+
+/// Along or through the axis; through the dents of a spindle torus; in the planes that touch it
+/// along its top circle or cut it in two circles; tangent to the equators.
+inline Line special_line(const Torus& torus, const Setting& s, Random& random) {
+  const double R = torus.major_radius, r = torus.minor_radius;
+  const Frame frame = Frame::from_normal(torus.axis);
+  const double phi = random.uniform(0.0, 2.0 * pi), psi = random.uniform(0.0, 2.0 * pi);
+  const Vec3d radial = frame.tangent * std::cos(phi) + frame.bitangent * std::sin(phi);
+  const Vec3d along = frame.bitangent * std::cos(phi) - frame.tangent * std::sin(phi);
+  const Vec3d other = frame.tangent * std::cos(psi) + frame.bitangent * std::sin(psi);
+  const double sine = std::min(r / R, 1.0), dent = std::sqrt(std::max(r * r - R * R, 0.0));
+  Line l;
+  switch (random.index(6)) {
+    case 0:
+      l = {torus.center + radial * (R * random.uniform(0.0, 1.5)), torus.axis};
+      break;
+    case 1:
+      l = {torus.center + torus.axis * (r * random.uniform(-1, 1)), random.direction()};
+      break;
+    case 2:
+      l = {torus.center + torus.axis * dent, random.direction()};
+      break;
+    case 3:
+      l = {torus.center + torus.axis * r + radial * (R * random.uniform(-1.5, 1.5)), other};
+      break;
+    case 4:
+      l = {torus.center + along * (R * random.uniform(-1, 1)),
+           radial * std::sqrt(1.0 - sine * sine) + torus.axis * sine};
+      break;
+    default:
+      l = {torus.center + radial * (random.index(2) == 0 ? R - r : R + r), along};
+      break;
+  }
+  l.direction *= random.magnitude(-3, 3);
+  l.origin = l.at(s.scale / length(l.direction) * random.uniform(-3, 3));
   if (random.index(2) == 0) l.origin += random.direction() * (s.scale * random.magnitude(-18, -6));
   return l;
 }

@@ -186,8 +186,8 @@ TEST(PlacedSolid, NormalsPointOut) {
     ASSERT_NEAR(length(n - b.normal), 0.0, 1e-6);
     if (step < 1e-10 * length(b.p)) return;
     // Thin shapes curve away within a step: look across the surface in own space.
-    const Vec3d across = placed.world_from_solid().vector(
-        outward_normal(placed.solid(), b.patch, placed.own_space() ? placed.own_space()->point(b.p) : b.p));
+    const Vec3d across = placed.world_from_solid().vector(outward_normal(
+        placed.solid(), b.patch, placed.own_space() ? placed.own_space()->point(b.p) : b.p));
     const double own_step = step / length(across);
     ASSERT_TRUE(contains(placed, b.p - across * own_step));
     ASSERT_FALSE(contains(placed, b.p + across * own_step));

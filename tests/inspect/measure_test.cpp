@@ -29,6 +29,9 @@ TEST(Measure, ClosedFormsOfSolids) {
   const Measure cone = measure_of(make_object(geometry::Cone{{0, 0, 0}, {3, 4, 0}, 3, 0}));
   EXPECT_NEAR(cone.volume.value(), pi * 9 * 5 / 3, 1e-9);
   const Measure bucket = measure_of(make_object(geometry::Cone{{0, 0, 0}, {0, 0, 3}, 1, 2}));
+  const Measure ring = measure_of(make_object(geometry::Torus{{}, {0, 0, 1}, 3, 1}));
+  EXPECT_NEAR(ring.area.value(), 4 * pi * pi * 3, 1e-9);
+  EXPECT_NEAR(ring.volume.value(), 2 * pi * pi * 3, 1e-9);
   EXPECT_NEAR(bucket.volume.value(), pi * (4 * 6 - 1 * 3) / 3,
               1e-9);  // the difference of two cones
 }

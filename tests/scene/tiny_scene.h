@@ -52,6 +52,15 @@ struct TinyScene {
     description.objects.push_back(std::make_shared<const description::Object>(std::move(object)));
     return *this;
   }
+  /// Everything outside of the solid: a cavity, which a ray may start in.
+  TinyScene& add_outside(const geometry::Solid& solid, description::MaterialPtr worn) {
+    description::Object object;
+    object.content = solid;
+    const auto outside = description::complemented(
+        std::make_shared<const description::Object>(std::move(object)), {});
+    description.objects.push_back(description::with_material(*outside, std::move(worn)));
+    return *this;
+  }
   TinyScene& add_mesh(geometry::TriangleMesh mesh, description::MaterialPtr worn,
                       const Transform& placement = {}) {
     description::Mesh shared;

@@ -163,7 +163,9 @@ TEST(Emission, OfALampInABulbLightsARoom) {
     A += passed(p / b, n) * (n * a) * (n * a) / rings;
   }
   TinyScene tiny;
-  tiny.add(Sphere{{}, 1.0}, matte(albedo)).add(Sphere{{}, b}, glass(n)).add(Sphere{{}, a}, lamp(L));
+  tiny.add_outside(Sphere{{}, 1.0}, matte(albedo))
+      .add(Sphere{{}, b}, glass(n))
+      .add(Sphere{{}, a}, lamp(L));
   const RunningMean wall =
       radiance(tiny.build(), ray({0, 0, -0.9}, {1, 0, 0.05}), {{200}, 1024, 160});
   expect_radiance(wall, albedo * A * L / (n * n) / (1 - albedo * (1 - A)));

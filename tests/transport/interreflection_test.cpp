@@ -19,7 +19,7 @@ struct Cavity {
 
   scene::Scene build() const {
     return TinyScene()
-        .add(geometry::Sphere{}, matte(albedo))
+        .add_outside(geometry::Sphere{}, matte(albedo))
         .add(geometry::Sphere{{}, light_radius}, lamp(L))
         .build();
   }

@@ -35,8 +35,13 @@ Vec3d refracted_twice(const scene::Scene& scene, geometry::Ray r, const Waveleng
       return r.direction;
     }
     const geometry::Surface surface = scene.world().surface(r, hit);
-    const transport::Vertex vertex = transport::make_vertex(
-        scene.material(scene.slot(hit)), surface, r.direction, wavelengths, carried);
+    const auto medium = [&](std::uint32_t region) -> const medium::Medium& {
+      return scene.medium(scene.region_filling(region).medium);
+    };
+    const transport::Vertex vertex =
+        transport::make_vertex({scene.material(scene.slot(hit)), surface, r.direction,
+                                medium(hit.region_before), medium(hit.region_after)},
+                               wavelengths, carried);
     const auto sample =
         bsdf::sample(vertex.bsdf, vertex.wo, 0.999, {0.5, 0.5}, bsdf::Mode::radiance);
     EXPECT_TRUE(sample && sample->side == bsdf::Side::transmitted);
