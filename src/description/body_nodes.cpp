@@ -78,7 +78,11 @@ NodeKind polyhedron() {
   using Parameters = ObjectOf<P>;
   Declaration<Parameters> d({.name = "polyhedron",
                              .doc = "A convex body with flat faces, from its planes or corners.",
-                             .section = section});
+                             .section = section,
+                             .examples = {"polyhedron { vertices = { { 0, 0, 0 }, { 1, 0, 0 }, "
+                                          "{ 0, 1, 0 }, { 0, 0, 1 } } }",
+                                          "polyhedron { planes = { { point = { 0, 0, 1 }, normal = "
+                                          "{ 0, 0, 1 } } } }"}});
   d.parameter<PlaneListReader>("planes", &P::planes,
                                {.doc = "What they all have below them, as {point = {0, 0, 1}, "
                                        "normal = {0, 0, 1}}; may be unbounded."})
@@ -106,7 +110,9 @@ NodeKind prism() {
   using Parameters = ObjectOf<P>;
   Declaration<Parameters> d({.name = "prism",
                              .doc = "A polygon in the plane z = 0, drawn out along z.",
-                             .section = section});
+                             .section = section,
+                             .examples = {"prism { points = { { 0, 0 }, { 2, 0 }, { 1, 2 } }, "
+                                          "height = 0.5 }"}});
   d.parameter("points", &P::points,
               {.doc = "The outline: corners {x, y}, in order either way round.",
                .unit = Unit::length,

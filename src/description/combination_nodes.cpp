@@ -53,10 +53,11 @@ NodeKind combination_kind(SetOperation operation, schema::NodeInfo info, std::st
   });
 }
 
-schema::NodeInfo info(std::string name, std::string doc) {
+schema::NodeInfo info(std::string name, std::string doc, std::string example) {
   return {.name = std::move(name),
           .doc = std::move(doc),
           .section = "combining solids",
+          .examples = {std::move(example)},
           .form = schema::Form::constructor,
           .parameters = {}};
 }
@@ -66,14 +67,18 @@ schema::NodeInfo info(std::string name, std::string doc) {
 std::vector<NodeKind> combination_kinds() {
   return {
       combination_kind<SolidListReader>(
-          SetOperation::unite, info("union", "What is in any of several solids, as one solid."),
+          SetOperation::unite,
+          info("union", "What is in any of several solids, as one solid.",
+               "union { ball, box {} }"),
           "What it is made of; of nothing, it is empty."),
       combination_kind<DifferenceReader>(
           SetOperation::subtract,
-          info("difference", "The first of several solids without the others."),
+          info("difference", "The first of several solids without the others.",
+               "difference { box { size = 2 }, ball }"),
           "What is cut, then what cuts; a list in the first place is cut as a whole."),
       combination_kind<SolidListReader>(SetOperation::intersect,
-                                        info("intersection", "What is in all of several solids."),
+                                        info("intersection", "What is in all of several solids.",
+                                             "intersection { box { size = 1.5 }, ball }"),
                                         "What it is made of."),
   };
 }

@@ -45,10 +45,11 @@ Node solid_node(SetOperation operation, ObjectPtr object) {
                           sizeof(Object) + 2 * sizeof(ObjectPtr));
 }
 
-schema::NodeInfo info(std::string name, std::string doc) {
+schema::NodeInfo info(std::string name, std::string doc, std::string example) {
   return {.name = std::move(name),
           .doc = std::move(doc),
           .section = "combining solids",
+          .examples = {std::move(example)},
           .form = schema::Form::other,
           .parameters = {}};
 }
@@ -74,11 +75,13 @@ Node complement(const Value& value, const schema::CallSite& where) {
 
 std::vector<schema::NodeInfo> operator_infos() {
   return {
-      info("a + b", "What is in a or in b: one solid, without faces between them."),
-      info("a | b", "The same as a + b."),
-      info("a - b", "What is in a and not in b."),
-      info("a & b", "What is in both. It binds looser than + and -: a - b & c is (a - b) & c."),
-      info("~a", "All of space but a, to intersect with or to cut with."),
+      info("a + b", "What is in a or in b: one solid, without faces between them.",
+           "ball + box {}"),
+      info("a | b", "The same as a + b.", "ball | box {}"),
+      info("a - b", "What is in a and not in b.", "ball - box {}"),
+      info("a & b", "What is in both. It binds looser than + and -: a - b & c is (a - b) & c.",
+           "ball & box {}"),
+      info("~a", "All of space but a, to intersect with or to cut with.", "~ball"),
   };
 }
 

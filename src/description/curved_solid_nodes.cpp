@@ -16,7 +16,11 @@ constexpr auto section = "solids";
 
 NodeKind cone() {
   Declaration<ObjectOf<Cone>> d(
-      {.name = "cone", .doc = "A cone, or a cone cut off, with flat ends.", .section = section});
+      {.name = "cone",
+       .doc = "A cone, or a cone cut off, with flat ends.",
+       .section = section,
+       .examples = {"cone { from = { 0, 0, 0 }, to = { 0, 0, 2 }, radius = 1 }",
+                    "cone { to = { 0, 0, 2 }, radius = 1, radius2 = 0.5 }"}});
   d.parameter("from", &Cone::from, {.doc = "Middle of one end.", .unit = Unit::length})
       .parameter("to", &Cone::to, {.doc = "Middle of the other end.", .unit = Unit::length})
       .parameter("radius", &Cone::radius,
@@ -37,8 +41,10 @@ NodeKind cone() {
 }
 
 NodeKind torus() {
-  Declaration<ObjectOf<Torus>> d(
-      {.name = "torus", .doc = "A ring: what a disk sweeps around an axis.", .section = section});
+  Declaration<ObjectOf<Torus>> d({.name = "torus",
+                                  .doc = "A ring: what a disk sweeps around an axis.",
+                                  .section = section,
+                                  .examples = {"torus { major_radius = 1, minor_radius = 0.2 }"}});
   d.parameter("center", &Torus::center, {.doc = "The middle of the ring.", .unit = Unit::length})
       .parameter("axis", &Torus::axis, {.doc = "What it goes around; of any length."})
       .parameter("major_radius", &Torus::major_radius,
@@ -65,7 +71,10 @@ struct EllipsoidParameters {
 NodeKind ellipsoid() {
   using Parameters = ObjectOf<EllipsoidParameters>;
   Declaration<Parameters> d(
-      {.name = "ellipsoid", .doc = "A ball stretched along the axes.", .section = section});
+      {.name = "ellipsoid",
+       .doc = "A ball stretched along the axes.",
+       .section = section,
+       .examples = {"ellipsoid { center = { 0, 0, 1 }, radii = { 2, 1, 1 } }"}});
   d.parameter("center", &EllipsoidParameters::center, {.doc = "Its centre.", .unit = Unit::length})
       .parameter("radii", &EllipsoidParameters::radii,
                  {.doc = "Its half extents along x, y and z.",

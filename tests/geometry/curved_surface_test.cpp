@@ -154,8 +154,8 @@ TYPED_TEST(CurvedSurface, ReversedLinesGiveTheSameEventsReversed) {
 TYPED_TEST(CurvedSurface, PlacedNormalsPointOut) {
   for_boundary_points<TypeParam>(
       [random = Random(55)](const TypeParam& kind, const BoundaryPoint& own) mutable {
-        const PlacedSolid placed(kind, hostile::placement(random));
-        const Transform& map = placed.world_from_solid();
+        const Transform map = hostile::placement(random);
+        const PlacedSolid placed(kind, map);
         const Vec3d p = map.point(own.p), across = map.vector(own.normal);
         const Vec3d n = outward_normal(placed, own.patch, p);
         ASSERT_NEAR(length(n), 1.0, 1e-15);

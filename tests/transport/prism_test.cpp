@@ -35,13 +35,17 @@ Vec3d refracted_twice(const scene::Scene& scene, geometry::Ray r, const Waveleng
       return r.direction;
     }
     const geometry::Surface surface = scene.world().surface(r, hit);
-    const auto medium = [&](std::uint32_t region) -> const medium::Medium& {
-      return scene.medium(scene.region_filling(region).medium);
-    };
-    const transport::Vertex vertex =
-        transport::make_vertex({scene.material(scene.slot(hit)), surface, r.direction,
-                                medium(hit.region_before), medium(hit.region_after)},
-                               wavelengths, carried);
+    // Outside of the prism there is nothing.
+    const bool enters = dot(surface.geometric_normal, r.direction) < 0.0;
+    const std::uint32_t inside = hit.kind == geometry::SurfaceKind::triangle
+                                     ? scene.mesh_filling(hit.index).medium
+                                     : scene.region_filling(hit.region_before).medium +
+                                           scene.region_filling(hit.region_after).medium;
+    const medium::Medium &before = scene.medium(enters ? 0 : inside),
+                         &after = scene.medium(enters ? inside : 0);
+    const transport::Vertex vertex = transport::make_vertex(
+        {scene.material(scene.slot(hit)), surface, r.direction, before, after}, wavelengths,
+        carried);
     const auto sample =
         bsdf::sample(vertex.bsdf, vertex.wo, 0.999, {0.5, 0.5}, bsdf::Mode::radiance);
     EXPECT_TRUE(sample && sample->side == bsdf::Side::transmitted);
