@@ -69,16 +69,16 @@ std::vector<NodeKind> combination_kinds() {
       combination_kind<SolidListReader>(
           SetOperation::unite,
           info("union", "What is in any of several solids, as one solid.",
-               "union { ball, box {} }"),
+               "union { ball, box { size = { 1, 1, 3 } } }"),
           "What it is made of; of nothing, it is empty."),
       combination_kind<DifferenceReader>(
           SetOperation::subtract,
           info("difference", "The first of several solids without the others.",
-               "difference { box { size = 2 }, ball }"),
+               "difference { box { size = { 1, 1, 1 } }, ball }"),
           "What is cut, then what cuts; a list in the first place is cut as a whole."),
       combination_kind<SolidListReader>(SetOperation::intersect,
                                         info("intersection", "What is in all of several solids.",
-                                             "intersection { box { size = 1.5 }, ball }"),
+                                             "intersection { box { size = { 1, 1, 1 } }, ball }"),
                                         "What it is made of."),
   };
 }

@@ -76,11 +76,11 @@ Node complement(const Value& value, const schema::CallSite& where) {
 std::vector<schema::NodeInfo> operator_infos() {
   return {
       info("a + b", "What is in a or in b: one solid, without faces between them.",
-           "ball + box {}"),
-      info("a | b", "The same as a + b.", "ball | box {}"),
-      info("a - b", "What is in a and not in b.", "ball - box {}"),
+           "ball + box { size = { 1, 1, 3 } }"),
+      info("a | b", "The same as a + b.", "ball | box { size = { 1, 1, 3 } }"),
+      info("a - b", "What is in a and not in b.", "ball - box { size = { 1, 1, 3 } }"),
       info("a & b", "What is in both. It binds looser than + and -: a - b & c is (a - b) & c.",
-           "ball & box {}"),
+           "ball & box { size = { 1, 1, 3 } }"),
       info("~a", "All of space but a, to intersect with or to cut with.", "~ball"),
   };
 }

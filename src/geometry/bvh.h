@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <immintrin.h>
@@ -29,7 +30,9 @@ class Bvh {
   /// nearer boxes first as far as nodes allow. `visit` may lower `t_max`, and ends the walk by
   /// returning true; then so does `walk`.
   template <typename Visit>
-  bool walk(const Line& line, double t_max, Visit&& visit) const;
+  bool walk(const Line& line, double t_max, Visit&& visit) const {
+    return walk(Slabs(line), t_max, std::forward<Visit>(visit));
+  }
 
   /// A node of the hierarchy or one of its items, for those who walk it in an order of their own.
   class Ref {
@@ -55,7 +58,17 @@ class Bvh {
     std::array<std::uint32_t, 3> near_row, far_row;
   };
 
+  /// The same for a line that was prepared before.
+  template <typename Visit>
+  bool walk(const Slabs& slabs, double t_max, Visit&& visit) const;
+
   bool empty() const { return nodes_.empty(); }
+  /// Whether the line comes near anything at some t in [0, t_max]; may say so of lines that do not.
+  bool may_meet(const Slabs& slabs, double t_max) const {
+    std::array<float, width> entry;
+    return !nodes_.empty() &&
+           test(nodes_[0], slabs, static_cast<float>(t_max) * (1.0f + 0x1p-22f), entry) != 0;
+  }
   /// Not of an empty hierarchy.
   Ref root() const { return Ref(0); }
   /// Calls `visit(t, child)` for the children of a node (not an item) whose boxes the line meets at
@@ -151,9 +164,8 @@ void Bvh::expand(Ref node, const Slabs& slabs, double t_max, Visit&& visit) cons
 }
 
 template <typename Visit>
-bool Bvh::walk(const Line& line, double t_max, Visit&& visit) const {
+bool Bvh::walk(const Slabs& slabs, double t_max, Visit&& visit) const {
   if (nodes_.empty()) return false;
-  const Slabs slabs(line);
   const auto limit = [&] { return static_cast<float>(t_max) * (1.0f + 0x1p-22f); };
   std::array<Entry, stack_size> stack;
   std::size_t top = 0;

@@ -55,6 +55,12 @@ class SolidScene {
   /// Of everything that is bounded.
   const Box3d& bounded_part() const { return bounded_part_; }
 
+  /// Whether a ray that starts far from every solid meets none: then its sweep has nothing to find,
+  /// and it is in no region.
+  bool passes_by(const Bvh::Slabs& slabs, double t_max) const {
+    return world_.unbounded().empty() && at_rest_.empty() && !world_.bvh().may_meet(slabs, t_max);
+  }
+
   const Compound& compound(std::uint32_t place_number) const {
     return place_number == 0 ? world_ : assemblies_[places_[place_number - 1].assembly];
   }

@@ -36,8 +36,8 @@ std::optional<Event> World::meet_sheet(std::uint32_t sheet, const Ray& ray) cons
   return e;
 }
 
-void World::nearest_sheet(const Ray& ray, Hit& hit) const {
-  sheet_bvh_.walk(ray.line(), hit.t, [&](std::uint32_t sheet, double& t_max) {
+void World::nearest_sheet(const Ray& ray, const Bvh::Slabs& slabs, Hit& hit) const {
+  sheet_bvh_.walk(slabs, hit.t, [&](std::uint32_t sheet, double& t_max) {
     const auto e = meet_sheet(sheet, ray);
     if (!e || !(e->t < hit.t)) return false;
     hit.t = t_max = e->t;
@@ -73,42 +73,45 @@ void World::nearest_triangle(const Ray& ray, Hit& hit) const {
   hit.region_after = hit.region_before;
 }
 
+void World::nearest_transition(const Ray& ray, const Bvh::Slabs& slabs, Hit& hit) const {
+  hit.region_before = hit.region_after = SolidScene::no_region;
+  const bool on_sheet = hit.kind == SurfaceKind::sheet;
+  const double t_max = on_sheet ? hit.t + hit.tau : hit.t;
+  if (solids_.passes_by(slabs, t_max)) return;
+  Sweep sweep(solids_, ray, t_max);
+  Transition found;
+  const bool any = sweep.next(found);
+  hit.region_before = hit.region_after = any ? found.before : sweep.region();
+  if (!any || (on_sheet && !(found.t + found.tau < hit.t - hit.tau))) return;
+  hit.t = found.t;
+  hit.tau = found.tau;
+  hit.kind = SurfaceKind::solid;
+  hit.crossing = found.surface_of == found.after ? Crossing::enter : Crossing::leave;
+  hit.is_complement = found.is_complement;
+  hit.patch = found.patch;
+  hit.index = found.leaf;
+  hit.place = found.place;
+  hit.tag = found.tag;
+  hit.region_after = found.after;
+}
+
 Hit World::nearest(const Ray& ray) const {
   Hit hit;
   hit.t = ray.t_max;
-  nearest_sheet(ray, hit);
-  if (solids_.region_count() == 0) {
-    hit.region_before = hit.region_after = SolidScene::no_region;
-  } else {
-    Sweep sweep(solids_, ray, hit.kind == SurfaceKind::sheet ? hit.t + hit.tau : hit.t);
-    Transition found;
-    const bool any = sweep.next(found);
-    hit.region_before = hit.region_after = any ? found.before : sweep.region();
-    const bool before_sheet =
-        any && (hit.kind == SurfaceKind::none || found.t + found.tau < hit.t - hit.tau);
-    if (before_sheet) {
-      hit.t = found.t;
-      hit.tau = found.tau;
-      hit.kind = SurfaceKind::solid;
-      hit.crossing = found.surface_of == found.after ? Crossing::enter : Crossing::leave;
-      hit.is_complement = found.is_complement;
-      hit.patch = found.patch;
-      hit.index = found.leaf;
-      hit.place = found.place;
-      hit.tag = found.tag;
-      hit.region_after = found.after;
-    }
-  }
+  const Bvh::Slabs slabs(ray.line());
+  nearest_sheet(ray, slabs, hit);
+  nearest_transition(ray, slabs, hit);
   if (!triangles_.empty()) nearest_triangle(ray, hit);
   return hit;
 }
 
 bool World::occluded(const Ray& ray) const {
-  const bool by_sheet = sheet_bvh_.walk(ray.line(), ray.t_max, [&](std::uint32_t sheet, double&) {
+  const Bvh::Slabs slabs(ray.line());
+  const bool by_sheet = sheet_bvh_.walk(slabs, ray.t_max, [&](std::uint32_t sheet, double&) {
     return meet_sheet(sheet, ray).has_value();
   });
   if (by_sheet) return true;
-  if (solids_.region_count() != 0) {
+  if (!solids_.passes_by(slabs, ray.t_max)) {
     Transition found;
     if (Sweep(solids_, ray).next(found)) return true;
   }

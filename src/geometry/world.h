@@ -65,7 +65,8 @@ class World {
   const TriangleScene& triangles() const { return triangles_; }
 
  private:
-  void nearest_sheet(const Ray& ray, Hit& hit) const;
+  void nearest_sheet(const Ray& ray, const Bvh::Slabs& slabs, Hit& hit) const;
+  void nearest_transition(const Ray& ray, const Bvh::Slabs& slabs, Hit& hit) const;
   void nearest_triangle(const Ray& ray, Hit& hit) const;
   std::optional<Event> meet_sheet(std::uint32_t sheet, const Ray& ray) const;
   Surface triangle_surface(const Ray& ray, const Hit& hit) const;

@@ -13,6 +13,8 @@ namespace lapidary::transport {
 /// Ray Traced Images".
 class MeshStack {
  public:
+  MeshStack() {}  // NOLINT: not defaulted, so that nothing is cleared for every path
+
   void enter(std::uint32_t placement) {
     if (count_ < capacity) placements_[count_++] = placement;
   }
@@ -26,6 +28,7 @@ class MeshStack {
   /// What fills a place in these meshes where `region` of the solids is.
   std::uint32_t medium(const scene::Scene& scene, std::uint32_t region) const {
     scene::Filling filling = scene.region_filling(region);
+    if (count_ == 0) return filling.medium;
     for (std::size_t i = 0; i < count_; ++i) {
       const scene::Filling mesh = scene.mesh_filling(placements_[i]);
       if (mesh.beats(filling)) filling = mesh;
@@ -35,7 +38,7 @@ class MeshStack {
 
  private:
   static constexpr std::size_t capacity = 16;  // meshes inside of meshes; more are not refracted
-  std::array<std::uint32_t, capacity> placements_{};
+  std::array<std::uint32_t, capacity> placements_;  // the first `count_` of them
   std::size_t count_ = 0;
 };
 
