@@ -23,10 +23,31 @@ double thread_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
+/// What is counted in `total` for as long as it exists.
+class Held {
+ public:
+  Held(std::shared_ptr<const void> data, std::shared_ptr<std::atomic<std::size_t>> total,
+       std::size_t bytes)
+      : data_(std::move(data)), total_(std::move(total)), bytes_(bytes) {
+    total_->fetch_add(bytes_, std::memory_order_relaxed);
+  }
+  Held(const Held&) = delete;
+  Held& operator=(const Held&) = delete;
+  ~Held() { total_->fetch_sub(bytes_, std::memory_order_relaxed); }
+
+ private:
+  std::shared_ptr<const void> data_;
+  std::shared_ptr<std::atomic<std::size_t>> total_;
+  std::size_t bytes_;
+};
+
 }  // namespace
 
 Budget::Budget(const Limits& limits)
-    : limits_(limits), steps_left_(limits.steps), deadline_(thread_seconds() + limits.seconds) {}
+    : limits_(limits),
+      steps_left_(limits.steps),
+      node_memory_(std::make_shared<std::atomic<std::size_t>>(0)),
+      deadline_(thread_seconds() + limits.seconds) {}
 
 void* Budget::allocate(void* budget, void* block, std::size_t old_size, std::size_t new_size) {
   auto& self = *static_cast<Budget*>(budget);
@@ -46,7 +67,7 @@ bool Budget::admits(std::size_t size, std::size_t more, bool is_string) {
   constexpr std::size_t header = 64;  // more than what a string needs besides its text
   steps_left_ -= static_cast<std::int64_t>(more / bytes_per_step);
   refused_string_ = is_string && size > limits_.string_bytes + header;
-  return !exhausted() && memory_ + more <= limits_.memory && !refused_string_;
+  return !exhausted() && has_memory(more) && !refused_string_;
 }
 
 void* Budget::reallocate(void* block, std::size_t held, std::size_t size) noexcept {
@@ -113,10 +134,14 @@ void Budget::check_string(std::size_t bytes) const {
               "does a loop make more than it should?");
 }
 
-bool Budget::take_memory(std::size_t bytes) {
-  if (memory_ + bytes > limits_.memory) return false;
-  memory_ += bytes;
-  return true;
+bool Budget::has_memory(std::size_t bytes) const {
+  return memory_ + node_memory_->load(std::memory_order_relaxed) + bytes <= limits_.memory;
+}
+
+std::shared_ptr<const void> Budget::hold(std::shared_ptr<const void> data,
+                                         std::size_t bytes) const {
+  const void* address = data.get();
+  return {std::make_shared<const Held>(std::move(data), node_memory_, bytes), address};
 }
 
 Error Budget::exhausted_error(Location where) const {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include "base/error.h"
 #include "lua/block_pool.h"
@@ -30,9 +32,11 @@ class Budget {
   /// Throws Error for a string that long.
   void check_string(std::size_t bytes) const;
 
-  /// Nodes live outside Lua's own memory. Whether `bytes` more fit; false takes nothing.
-  bool take_memory(std::size_t bytes);
-  void give_back_memory(std::size_t bytes) { memory_ -= bytes; }
+  /// Nodes live outside Lua's own memory. Whether `bytes` more fit.
+  bool has_memory(std::size_t bytes) const;
+  /// `data` of that size, which is paid for until the last who holds it lets go: Lua may collect a
+  /// solid that others are made of.
+  std::shared_ptr<const void> hold(std::shared_ptr<const void> data, std::size_t bytes) const;
 
   /// Whether steps or time are used up: then nothing runs any more.
   bool exhausted() const { return steps_left_ < 0 || out_of_time_; }
@@ -56,7 +60,9 @@ class Budget {
   BlockPool pool_;
   Limits limits_;
   std::int64_t steps_left_;
-  std::size_t memory_ = 0;
+  std::size_t memory_ = 0;  ///< of Lua
+  /// Of nodes, some of which outlive the interpreter and may be let go on any thread.
+  std::shared_ptr<std::atomic<std::size_t>> node_memory_;
   double deadline_;
   bool out_of_time_ = false;
   lua_State* main_ = nullptr;

@@ -24,9 +24,7 @@ constexpr auto object_type = "lapidary.object";
 constexpr auto node_type = "lapidary.node";
 
 int collect(lua_State* L) {
-  auto* node = static_cast<Node*>(lua_touserdata(L, 1));
-  Interpreter::of(L).budget().give_back_memory(node->bytes);
-  node->~Node();
+  static_cast<Node*>(lua_touserdata(L, 1))->~Node();
   return 0;
 }
 
@@ -37,12 +35,12 @@ int to_text(lua_State* L) {
   return 1;
 }
 
-/// Takes memory for a node; collects garbage first when there is too little.
-void take_memory(lua_State* L, std::size_t bytes) {
-  Budget& budget = Interpreter::of(L).budget();
-  if (budget.take_memory(bytes)) return;
+/// Finds memory for a node; collects garbage first when there is too little.
+void require_memory(lua_State* L, std::size_t bytes) {
+  const Budget& budget = Interpreter::of(L).budget();
+  if (budget.has_memory(bytes)) return;
   lua_gc(L, LUA_GCCOLLECT);
-  if (!budget.take_memory(bytes)) throw budget.memory_error({});
+  if (!budget.has_memory(bytes)) throw budget.memory_error({});
 }
 
 /// Upvalue 1: the NodeKind.
@@ -197,7 +195,8 @@ const Node* node_at(lua_State* L, int index) {
 
 void push_node(lua_State* L, Node node) {
   const char* type = *node.type == typeid(Object) ? object_type : node_type;
-  take_memory(L, node.bytes);
+  require_memory(L, node.bytes);
+  node.data = Interpreter::of(L).budget().hold(std::move(node.data), node.bytes);
   void* place = lua_newuserdatauv(L, sizeof(Node), 0);
   new (place) Node(std::move(node));
   luaL_setmetatable(L, type);

@@ -154,6 +154,16 @@ TEST_F(Operators, LeaveNoGarbageBehind) {
             "no error");
 }
 
+// Lua knows nothing of the solids that a solid is made of and would let them be forgotten.
+TEST_F(Operators, PayForAllThatTheyHold) {
+  options_.limits.memory = std::size_t{16} << 20;
+  EXPECT_THAT(error_of("local p = sphere {}\nwhile true do p = p - sphere {} end"),
+              HasSubstr("main.lua:2: the scene needs more than 16 MB of memory"));
+  EXPECT_THAT(error_of("local p, s = sphere {}, sphere {}\n"
+                       "while true do p = (p - s):translate(1, 0, 0) end"),
+              HasSubstr("main.lua:2: the scene needs more than 16 MB of memory"));
+}
+
 TEST_F(Operators, AreInTheIndexOfHelp) {
   const std::string index = schema::help_index(node_infos());
   const std::size_t section = index.find("\ncombining solids\n");
