@@ -155,7 +155,7 @@ Method solid_method(schema::NodeInfo info, Change change) {
 
 Method apply_interior() {
   return solid_method(info("interior", "The solid filled with a glass, whatever its surface wears.",
-                           {"tank:interior(glass \"water\")"}),
+                           {"ball:interior(glass \"water\")"}),
                       [](const Object& object, const Value& argument, const Context& context) {
                         return with_attributes(
                             object, {.interior = InteriorReader::read(argument, context)});
@@ -165,7 +165,7 @@ Method apply_interior() {
 Method apply_priority() {
   return solid_method(
       info("priority", "Where solids overlap, the one of the greater number fills the overlap.",
-           {"ice:priority(1)"}),
+           {"ball:priority(1)"}),
       [](const Object& object, const Value& argument, const Context& context) {
         return with_attributes(object, {.priority = Reader<std::int32_t>::read(argument, context)});
       });
@@ -176,7 +176,7 @@ Method apply_cut() {
       info("cut",
            "Where it is cut it wears \"cutter\": what the cutter wears, if anything; \"inherit\": "
            "what was cut; or a material.",
-           {"part:cut \"inherit\"", "part:cut(matte \"#c04030\")"}),
+           {"ball:cut \"inherit\"", "ball:cut(matte \"#c04030\")"}),
       [](const Object& object, const Value& argument, const Context& context) {
         return with_attributes(object, {.cut = CutReader::read(argument, context)});
       });
@@ -184,7 +184,7 @@ Method apply_cut() {
 
 Method apply_section() {
   return solid_method(info("section", "The object without what is in a solid, to show the inside.",
-                           {"gearbox:section(half_space { normal = { 0, 1, 0 } })"}),
+                           {"ball:section(half_space { normal = { 0, 1, 0 } })"}),
                       [](const Object& object, const Value& argument, const Context& context) {
                         return with_section(std::make_shared<Object>(object),
                                             SolidReader::read(argument, context));
