@@ -71,8 +71,8 @@ class Bvh {
   }
   /// Not of an empty hierarchy.
   Ref root() const { return Ref(0); }
-  /// Calls `visit(t, child)` for the children of a node (not an item) whose boxes the line meets at
-  /// some t in [0, t_max], in no order, with a lower bound of where.
+  /// Calls `visit(entry, exit, child)` for the children of a node (not an item) whose boxes the
+  /// line meets at some t in [0, t_max], in no order, with bounds of where.
   template <typename Visit>
   void expand(Ref node, const Slabs& slabs, double t_max, Visit&& visit) const;
 
@@ -103,7 +103,12 @@ class Bvh {
 
   /// Children met at t in [0, t_max]: a bit each, with their entry distances.
   static unsigned test(const Node& node, const Slabs& slabs, float t_max,
-                       std::array<float, width>& entry);
+                       std::array<float, width>& entry, std::array<float, width>& exit);
+  static unsigned test(const Node& node, const Slabs& slabs, float t_max,
+                       std::array<float, width>& entry) {
+    std::array<float, width> exit;
+    return test(node, slabs, t_max, entry, exit);
+  }
 
   /// The line as a ray that starts before everything, near enough to lose no digits.
   Slabs whole_line(const Line& line) const;
@@ -132,7 +137,7 @@ inline Bvh::Slabs::Slabs(const Line& line, double displacement) {
 }
 
 inline unsigned Bvh::test(const Node& node, const Slabs& slabs, float t_max,
-                          std::array<float, width>& entry) {
+                          std::array<float, width>& entry, std::array<float, width>& exit) {
   __m256 t0 = _mm256_setzero_ps();
   __m256 t1 = _mm256_set1_ps(t_max);
   // Four roundings (difference, product, inverse, direction) of at most 2^-24 each.
@@ -149,17 +154,18 @@ inline unsigned Bvh::test(const Node& node, const Slabs& slabs, float t_max,
     t1 = _mm256_min_ps(t1, _mm256_mul_ps(b, grow));
   }
   _mm256_storeu_ps(entry.data(), t0);
+  _mm256_storeu_ps(exit.data(), t1);
   return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(t0, t1, _CMP_LE_OQ)));
 }
 
 template <typename Visit>
 void Bvh::expand(Ref node, const Slabs& slabs, double t_max, Visit&& visit) const {
-  std::array<float, width> entry;
+  std::array<float, width> entry, exit;
   const Node& n = nodes_[node.bits()];
   const float limit = static_cast<float>(t_max) * (1.0f + 0x1p-22f);
-  for (unsigned met = test(n, slabs, limit, entry); met != 0; met &= met - 1) {
+  for (unsigned met = test(n, slabs, limit, entry, exit); met != 0; met &= met - 1) {
     const auto i = static_cast<std::size_t>(__builtin_ctz(met));
-    visit(entry[i], Ref(n.child[i]));
+    visit(entry[i], exit[i], Ref(n.child[i]));
   }
 }
 

@@ -4,104 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/content_order.h"
-#include "geometry/sweep_queue.h"
+#include "geometry/sweep_state.h"
 
 namespace lapidary::geometry {
-
-using Link = BooleanTree::Link;
-
-/// A box of a hierarchy, or an event, that the sweep has yet to come to; as a value of the queue.
-struct Sweep::Entry {
-  static constexpr std::uint64_t event_bit = std::uint64_t{1} << 63;
-
-  static std::uint64_t of_box(std::uint32_t slot, Bvh::Ref box) {
-    return std::uint64_t{slot} << 32 | box.bits();
-  }
-  static std::uint64_t of_event(std::uint32_t index) { return event_bit | index; }
-
-  bool is_event() const { return (value & event_bit) != 0; }
-  std::uint32_t event() const { return static_cast<std::uint32_t>(value); }
-  std::uint32_t slot() const { return static_cast<std::uint32_t>(value >> 32); }
-  Bvh::Ref box() const { return Bvh::Ref::from_bits(static_cast<std::uint32_t>(value)); }
-
-  double key;  ///< a box: where the ray enters it; an event: the lower end of its interval
-  std::uint64_t value;
-};
-
-/// An event of a leaf, as it waits and then as a member of a group.
-struct Sweep::Member {
-  double t, tau;
-  std::uint32_t slot, leaf;
-  Patch patch;
-  Crossing crossing;
-  bool is_last;  ///< of its leaf
-};
-
-/// What a sweep needs to remember. Grows to what the largest scene of its thread takes, and is
-/// never cleared: the states of nodes carry the number of the query that wrote them.
-struct Sweep::Scratch {
-  /// A compound that the ray has come to. Made in place: copying what was just written in parts
-  /// stalls the processor.
-  struct Slot {
-    Slot(const Compound& c, std::uint32_t at, std::uint32_t node, const Line& in,
-         double displacement)
-        : compound(&c), place(at), first_node(node), line(in), slabs(in, displacement) {}
-
-    const Compound* compound;
-    std::uint32_t place;
-    std::uint32_t first_node;  ///< of its nodes, in `nodes`
-    Line line;
-    Bvh::Slabs slabs;
-  };
-  struct NodeState {
-    std::uint64_t query = 0;
-    std::uint32_t group = 0;
-    std::uint32_t count = 0;
-    bool was_true = false;  ///< before `group`
-  };
-  struct Toggle {
-    std::uint32_t region;
-    bool was_inside;
-  };
-  struct Feed {
-    Link link;
-    bool value;
-  };
-
-  std::uint64_t query = 0;
-  std::uint32_t group_number = 0;
-  std::uint32_t node_count = 0;
-  SweepQueue queue;
-  std::vector<Member> events, group;
-  std::vector<Slot> slots;
-  std::vector<NodeState> nodes;
-  std::vector<std::uint32_t> inside;  ///< regions that the sweep is inside of, in no order
-  std::vector<Toggle> toggles;        ///< regions that the group has touched
-  std::vector<Feed> feeds;
-  std::vector<Link> path;
-  EventBuffer buffer;
-
-  void open_slot(const Compound& compound, std::uint32_t place, const Line& line,
-                 double displacement) {
-    const auto count = static_cast<std::uint32_t>(compound.tree().nodes().size());
-    slots.emplace_back(compound, place, node_count, line, displacement);
-    node_count += count;
-    if (nodes.size() < node_count) nodes.resize(node_count);
-  }
-
-  NodeState& state(const Slot& slot, std::uint32_t node) {
-    NodeState& s = nodes[slot.first_node + node];
-    const BooleanTree::Node& n = slot.compound->tree().nodes()[node];
-    if (s.query != query) s = {query, 0, n.rest_count, n.is_true_at_rest()};
-    if (s.group != group_number) s.group = group_number, s.was_true = s.count >= n.threshold;
-    return s;
-  }
-
-  bool is_inside(std::uint32_t region) const {
-    return std::find(inside.begin(), inside.end(), region) != inside.end();
-  }
-};
 
 /// Sweeps may be nested, so a thread has as many scratches as it ever had sweeps at a time.
 class Sweep::ScratchPool {
@@ -132,6 +37,8 @@ Sweep::Sweep(const SolidScene& scene, const Ray& ray, double t_max)
   s_->group.clear();
   s_->slots.clear();
   s_->toggles.clear();
+  s_->waiting.clear();
+  s_->released.clear();
   s_->inside.assign(scene.regions_at_rest().begin(), scene.regions_at_rest().end());
   const Compound& world = scene.world();
   s_->open_slot(world, 0, ray.line(), 0.0);
@@ -142,40 +49,47 @@ Sweep::Sweep(const SolidScene& scene, const Ray& ray, double t_max)
       open_place(item - static_cast<std::uint32_t>(world.leaves().size()));
     }
   }
-  if (!world.bvh().empty()) open({0.0, Entry::of_box(0, world.bvh().root())});
+  if (!world.bvh().empty()) open({0.0, Entry::of_box(0, world.bvh().root()), 0.0f});
 }
 
 Sweep::~Sweep() {
   ScratchPool::give_back(std::move(s_));
 }
 
-/// Collects the events that cannot be told apart from the next one; false when there is none.
-bool Sweep::collect_group() {
+void Sweep::begin_group() {
+  s_->group.clear();
+  s_->toggles.clear();
+  ++s_->group_number;
+  lower_ = infinity;
+  upper_ = -infinity;
+  widest_tau_ = 0.0;
+}
+
+/// Adds to the group the events that cannot be told apart from those it has, or, to an empty one,
+/// from the next one there is; false when the group stays empty.
+bool Sweep::collect_events() {
   // Members of a group may chain without end where rounding is coarser than what it rounds: then
   // the group is cut at this many times its widest error.
   constexpr double widest = 8.0;
-  s_->group.clear();
-  upper_ = -infinity;
-  double widest_tau = 0.0, first_t = 0.0;
   while (!s_->queue.empty()) {
     const double key = s_->queue.top_key();
-    if (!s_->group.empty() && key > upper_) break;
-    if (key > t_max_) break;
-    const Entry next{key, s_->queue.top_value()};
+    if ((!s_->group.empty() && key > upper_) || key > t_max_) break;
+    const Entry next{key, s_->queue.top_value(), s_->queue.top_exit()};
     if (!next.is_event()) {
       s_->queue.pop();
       open(next);
+      release(std::min(key, lower_));
       continue;
     }
     const Member& event = s_->events[next.event()];
-    if (s_->group.empty()) {
-      first_t = event.t;
-    } else if (event.t - first_t > widest * std::max(widest_tau, event.tau)) {
+    if (!s_->group.empty() &&
+        event.t - s_->group.front().t > widest * std::max(widest_tau_, event.tau)) {
       ++cut_groups_;
       break;
     }
     s_->queue.pop();
-    widest_tau = std::max(widest_tau, event.tau);
+    widest_tau_ = std::max(widest_tau_, event.tau);
+    lower_ = std::min(lower_, key);
     upper_ = std::max(upper_, event.t + event.tau);
     s_->group.push_back(event);
     if (!event.is_last) push_event(next.event() + 1);
@@ -185,7 +99,7 @@ bool Sweep::collect_group() {
 
 void Sweep::push_event(std::uint32_t index) {
   const Member& event = s_->events[index];
-  s_->queue.push(event.t - event.tau, Entry::of_event(index));
+  s_->queue.push(event.t - event.tau, Entry::of_event(index), 0.0f);
 }
 
 void Sweep::open(const Entry& entry) {
@@ -194,15 +108,15 @@ void Sweep::open(const Entry& entry) {
   const Compound& compound = *slot.compound;
   const Bvh::Ref box = entry.box();
   if (!box.is_item()) {
-    compound.bvh().expand(box, slot.slabs, t_max_, [&](float t, Bvh::Ref child) {
-      s_->queue.push(static_cast<double>(t), Entry::of_box(number, child));
+    compound.bvh().expand(box, slot.slabs, t_max_, [&](float t, float exit, Bvh::Ref child) {
+      s_->queue.push(static_cast<double>(t), Entry::of_box(number, child), exit);
     });
     return;
   }
   const std::uint32_t item = compound.item(box);
   const auto leaves = static_cast<std::uint32_t>(compound.leaves().size());
-  if (item < leaves) return open_leaf(number, item, entry.key);
-  open_place(item - leaves);
+  if (item >= leaves) return open_place(item - leaves);
+  if (!wait_if_decided(number, item, entry.exit)) open_leaf(number, item, entry.key);
 }
 
 void Sweep::open_place(std::uint32_t index) {
@@ -215,7 +129,7 @@ void Sweep::open_place(std::uint32_t index) {
   s_->open_slot(compound, index + 1, line, displacement);
   const auto slot = static_cast<std::uint32_t>(s_->slots.size() - 1);
   for (const std::uint32_t leaf : compound.unbounded()) open_leaf(slot, leaf, 0.0);
-  if (!compound.bvh().empty()) open({0.0, Entry::of_box(slot, compound.bvh().root())});
+  if (!compound.bvh().empty()) open({0.0, Entry::of_box(slot, compound.bvh().root()), 0.0f});
 }
 
 /// The event of the buffer that the ray starts on; the buffer's size when there is none.
@@ -267,7 +181,7 @@ void Sweep::open_leaf(std::uint32_t slot, std::uint32_t leaf, double key) {
   bool inside = buffer.inside_at_start();
   std::size_t i = 0;
   for (; i < buffer.size() && is_past(i, start, slot, leaf, key); ++i) inside = !inside;
-  if (inside) feed_leaf(slot, leaf, true);
+  if (inside) feed_leaf(slot, leaf, true, Feed::always);
   if (i == buffer.size()) return;
   const auto first = static_cast<std::uint32_t>(s_->events.size());
   for (; i < buffer.size(); ++i) {
@@ -277,182 +191,24 @@ void Sweep::open_leaf(std::uint32_t slot, std::uint32_t leaf, double key) {
   push_event(first);
 }
 
-void Sweep::feed_leaf(std::uint32_t slot, std::uint32_t leaf, bool inside) {
-  for (const Link link : s_->slots[slot].compound->tree().leaf_links(leaf)) {
-    feed(slot, link, inside != link.is_complement());
-  }
-}
-
-/// The truth of something that feeds `link` has become `value`.
-void Sweep::feed(std::uint32_t slot, Link link, bool value) {
-  const Scratch::Slot& at = s_->slots[slot];
-  const BooleanTree& tree = at.compound->tree();
-  const std::size_t bottom = s_->feeds.size();
-  for (;;) {
-    if (link.is_root()) {
-      toggle_region(at.place == 0 ? scene_.region_of_root(link.index())
-                                  : scene_.places()[at.place - 1].region,
-                    value);
-    } else {
-      Scratch::NodeState& state = s_->state(at, link.index());
-      const std::uint32_t threshold = tree.nodes()[link.index()].threshold;
-      const bool was = state.count >= threshold;
-      state.count = value ? state.count + 1 : state.count - 1;
-      const bool is = state.count >= threshold;
-      if (was != is) {
-        for (const Link up : tree.node_links(link.index())) s_->feeds.push_back({up, is});
-      }
-    }
-    if (s_->feeds.size() == bottom) return;
-    link = s_->feeds.back().link;
-    value = s_->feeds.back().value;
-    s_->feeds.pop_back();
-  }
-}
-
-void Sweep::toggle_region(std::uint32_t region, bool inside) {
-  const auto known = [region](const Scratch::Toggle& t) { return t.region == region; };
-  if (std::none_of(s_->toggles.begin(), s_->toggles.end(), known)) {
-    s_->toggles.push_back({region, !inside});
-  }
-  if (inside) {
-    s_->inside.push_back(region);
-  } else {
-    *std::find(s_->inside.begin(), s_->inside.end(), region) = s_->inside.back();
-    s_->inside.pop_back();
-  }
-}
-
-std::uint32_t Sweep::region() {
-  std::uint32_t best = SolidScene::no_region;
-  for (const std::uint32_t r : s_->inside) {
-    if (best == SolidScene::no_region || scene_.rank(r) > scene_.rank(best)) best = r;
-  }
-  return best;
-}
-
-void Sweep::apply_group() {
-  // What leaves fed when they were opened, before their first event, is no change.
-  s_->toggles.clear();
-  ++s_->group_number;
-  for (const Member& m : s_->group) feed_leaf(m.slot, m.leaf, m.crossing == Crossing::enter);
-}
-
 bool Sweep::next(Transition& found) {
-  while (collect_group()) {
-    const std::uint32_t before = region();
-    apply_group();
+  for (;;) {
+    begin_group();
+    if (!collect_events()) return false;
+    for (std::size_t applied = 0; applied < s_->group.size() && collect_events();) {
+      for (; applied < s_->group.size(); ++applied) {
+        const Member& m = s_->group[applied];
+        feed_leaf(m.slot, m.leaf, m.crossing == Crossing::enter, Feed::now);
+      }
+      // Leaves that waited for this may have events of their own here.
+      release(lower_);
+      collect_events();
+    }
     if (s_->toggles.empty()) continue;
-    const std::uint32_t after = region();
+    const std::uint32_t before = region_before(), after = region();
     if (scene_.medium(before) == scene_.medium(after)) continue;
     describe(before, after, found);
     if (found.t < t_max_) return true;
-  }
-  return false;
-}
-
-/// Whether the group changed every node from `link` to the root of `region` to `value`.
-bool Sweep::path_changed(std::uint32_t slot, Link link, std::uint32_t region, bool value) const {
-  const Scratch::Slot& at = s_->slots[slot];
-  const BooleanTree& tree = at.compound->tree();
-  std::vector<Link>& open = s_->path;
-  open.assign(1, link);
-  while (!open.empty()) {
-    link = open.back();
-    open.pop_back();
-    if (link.is_root()) {
-      const std::uint32_t of_root = at.place == 0 ? scene_.region_of_root(link.index())
-                                                  : scene_.places()[at.place - 1].region;
-      if (of_root == region) return true;
-      continue;
-    }
-    const Scratch::NodeState& state = s_->nodes[at.first_node + link.index()];
-    if (state.query != s_->query || state.group != s_->group_number) continue;
-    const bool is_true = state.count >= tree.nodes()[link.index()].threshold;
-    if (is_true != value || state.was_true == value) continue;
-    const auto links = tree.node_links(link.index());
-    open.insert(open.end(), links.begin(), links.end());
-  }
-  return false;
-}
-
-/// Whether the change of this leaf is one that made the region's: then `complement` says with which
-/// sign.
-bool Sweep::causes(const Member& member, std::uint32_t region, bool enters,
-                   bool* complement) const {
-  const bool inside = member.crossing == Crossing::enter;
-  const auto links = s_->slots[member.slot].compound->tree().leaf_links(member.leaf);
-  if (s_->group.size() == 1 && links.size() == 1) {
-    *complement = links[0].is_complement();
-    return true;
-  }
-  const auto events = std::count_if(s_->group.begin(), s_->group.end(), [&](const Member& m) {
-    return m.slot == member.slot && m.leaf == member.leaf;
-  });
-  if (events % 2 == 0) return false;  // in and out again
-  for (const Link link : links) {
-    if ((inside != link.is_complement()) != enters) continue;
-    if (!path_changed(member.slot, link, region, enters)) continue;
-    *complement = link.is_complement();
-    return true;
-  }
-  return false;
-}
-
-/// The surface of a group that changed the medium. What it wears follows from the signs of leaves
-/// and their order of writing; where it is, from the leaf of the least content, so that shuffling
-/// operands changes no bit of that.
-void Sweep::describe(std::uint32_t before, std::uint32_t after, Transition& found) {
-  constexpr std::uint32_t none = SolidScene::no_region;
-  const auto turned = [&](std::uint32_t region) {
-    return region != none &&
-           std::any_of(s_->toggles.begin(), s_->toggles.end(), [&](const Scratch::Toggle& t) {
-             return t.region == region && t.was_inside != s_->is_inside(region);
-           });
-  };
-  // Where one body ends as another begins, the surface is that of the opaque one, else of the
-  // higher.
-  const auto beats = [&](std::uint32_t a, std::uint32_t b) {
-    const Opacity oa = scene_.region(a).opacity, ob = scene_.region(b).opacity;
-    return oa != ob ? oa == Opacity::opaque : scene_.rank(a) > scene_.rank(b);
-  };
-  const bool enters = turned(after) && !(turned(before) && beats(before, after));
-  found.before = before;
-  found.after = after;
-  found.surface_of = enters ? after : before;
-
-  const Member* shown = nullptr;
-  const Member* placed = nullptr;
-  bool shown_complement = false;
-  for (const Member& m : s_->group) {
-    bool complement = false;
-    if (!causes(m, found.surface_of, enters, &complement)) continue;
-    const bool better = shown == nullptr || (shown_complement && !complement) ||
-                        (shown_complement == complement &&
-                         std::pair(s_->slots[m.slot].place, m.leaf) <
-                             std::pair(s_->slots[shown->slot].place, shown->leaf));
-    if (better) shown = &m, shown_complement = complement;
-    const auto& leaf = [&](const Member& e) -> const PlacedSolid& {
-      return s_->slots[e.slot].compound->leaf(e.leaf).solid;
-    };
-    if (placed == nullptr || content_less(leaf(m), leaf(*placed))) {
-      placed = &m;
-      found.is_complement = complement;
-    }
-  }
-  found.t = placed->t;
-  found.tau = placed->tau;
-  found.place = s_->slots[placed->slot].place;
-  found.leaf = placed->leaf;
-  found.patch = placed->patch;
-  found.crossing = placed->crossing;
-  const SurfaceTag own = s_->slots[shown->slot].compound->leaf(shown->leaf).tag;
-  found.tag = own == inherited_surface ? scene_.region(found.surface_of).tag : own;
-  // Glass that ends at something opaque behind it shows that.
-  const std::uint32_t other = enters ? before : after;
-  if (other != none && scene_.region(other).opacity == Opacity::opaque &&
-      scene_.region(found.surface_of).opacity == Opacity::transparent) {
-    found.tag = scene_.region(other).tag;
   }
 }
 

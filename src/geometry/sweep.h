@@ -31,7 +31,10 @@ struct Transition {
 /// leaf is met on its full line when its box comes up. Events whose intervals overlap form one
 /// group: the trees are evaluated before and after the whole group, and only a change of the
 /// medium is a surface, so that coincident faces leave no skin. A group is final when the queue
-/// holds nothing that could still belong to it. See /docs/csg.md.
+/// holds nothing that could still belong to it.
+///
+/// While a union is true by one child, or an intersection false, the leaves among its other
+/// children wait unopened: most never matter.
 ///
 /// Cost grows with the boxes that the ray meets before it stops. Memory comes from a pool of the
 /// thread and is reused. Throws nothing.
@@ -48,7 +51,7 @@ class Sweep {
   /// Sets `found` to the next transition; false, with `found` unspecified, when there is none.
   bool next(Transition& found);
   /// The region that the ray is in: behind the transition found last, or where it starts.
-  std::uint32_t region();
+  std::uint32_t region() const;
   /// Groups that were cut short because rounding chained them without end.
   std::uint64_t cut_groups() const { return cut_groups_; }
 
@@ -56,9 +59,16 @@ class Sweep {
   struct Scratch;
   struct Entry;
   struct Member;
+  struct Toggle;
+  struct NodeState;
   class ScratchPool;
 
-  bool collect_group();
+  /// Whether what a leaf feeds is a change, or was so before the group already.
+  enum class Feed : std::uint8_t { now, always };
+
+  // sweep.cpp: what comes next
+  void begin_group();
+  bool collect_events();
   void open(const Entry& entry);
   void open_place(std::uint32_t item);
   void open_leaf(std::uint32_t slot, std::uint32_t leaf, double key);
@@ -67,10 +77,23 @@ class Sweep {
   std::size_t starting_event(std::uint32_t slot, std::uint32_t leaf) const;
   bool lies_on_start(std::uint32_t slot, std::uint32_t leaf, std::size_t event) const;
   void push_event(std::uint32_t index);
-  void feed_leaf(std::uint32_t slot, std::uint32_t leaf, bool inside);
-  void feed(std::uint32_t slot, BooleanTree::Link link, bool value);
+
+  // sweep_truth.cpp: what is true
+  void feed_leaf(std::uint32_t slot, std::uint32_t leaf, bool inside, Feed feed);
+  void feed_now(std::uint32_t slot, BooleanTree::Link link, bool value);
+  void feed_before(std::uint32_t slot, BooleanTree::Link link, bool value);
   void toggle_region(std::uint32_t region, bool inside);
-  void apply_group();
+  void correct_region(std::uint32_t region, bool was_inside);
+  Toggle* toggle_of(std::uint32_t region);
+  std::uint32_t region_of(std::uint32_t slot, BooleanTree::Link root) const;
+  std::uint32_t higher(std::uint32_t a, std::uint32_t b) const;
+  std::uint32_t region_before() const;
+  static std::uint32_t deciding_children(const BooleanTree::Node& node, std::uint32_t count,
+                                         const NodeState& state);
+  bool wait_if_decided(std::uint32_t slot, std::uint32_t leaf, float exit);
+  void release(double key);
+
+  // sweep_surface.cpp: which surface that makes
   void describe(std::uint32_t before, std::uint32_t after, Transition& found);
   bool causes(const Member& member, std::uint32_t region, bool enters, bool* complement) const;
   bool path_changed(std::uint32_t slot, BooleanTree::Link link, std::uint32_t region,
@@ -80,7 +103,8 @@ class Sweep {
   const Ray& ray_;
   double t_max_;
   std::unique_ptr<Scratch> s_;
-  double upper_ = 0;  ///< of the error intervals of the group
+  // Of the error intervals of the group.
+  double lower_ = 0, upper_ = 0, widest_tau_ = 0;
   std::uint64_t cut_groups_ = 0;
 };
 
