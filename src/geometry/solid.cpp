@@ -30,6 +30,14 @@ std::optional<Solid> image(const Cylinder& cylinder, const Transform& map) {
   return Cylinder{map.point(cylinder.from), map.point(cylinder.to), cylinder.radius * *scale};
 }
 
+template <typename Kind>
+double density(const Kind& kind, Patch, Vec3d) {
+  return 1.0 / area(kind);
+}
+double density(const Quadric& quadric, Patch patch, Vec3d p) {
+  return sampling_pdf_area(quadric, patch, p);
+}
+
 }  // namespace
 
 SurfaceUv surface_uv(const Solid& solid, Patch patch, Vec3d p) {
@@ -46,6 +54,10 @@ double area(const Solid& solid) {
 
 BoundaryPoint sample_boundary(const Solid& solid, Vec2d u, double u_patch) {
   return std::visit([&](const auto& kind) { return sample_boundary(kind, u, u_patch); }, solid);
+}
+
+double sampling_pdf_area(const Solid& solid, Patch patch, Vec3d p) {
+  return std::visit([&](const auto& kind) { return density(kind, patch, p); }, solid);
 }
 
 std::optional<Solid> transformed(const Solid& solid, const Transform& world_from_object) {

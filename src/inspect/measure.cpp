@@ -16,6 +16,7 @@ using geometry::Box;
 using geometry::Cone;
 using geometry::Cylinder;
 using geometry::HalfSpace;
+using geometry::Quadric;
 using geometry::Sheet;
 using geometry::Solid;
 using geometry::Sphere;
@@ -38,6 +39,7 @@ struct VolumeOf {
     return std::numbers::pi / 3.0 * (r * r + r * r2 + r2 * r2) * length(c.to - c.from);
   }
   double operator()(const Torus& t) const { return volume(t); }
+  double operator()(const Quadric& q) const { return volume(q); }
   double operator()(const HalfSpace&) const { return infinity; }
 };
 

@@ -148,8 +148,10 @@ inline double distance_scale(const Solid& solid, const Line& line) {
           return kind.min;
         else if constexpr (requires { kind.point; })
           return kind.point;
-        else
+        else if constexpr (requires { kind.from; })
           return kind.from;
+        else
+          return Vec3d{};
       },
       solid);
   const Box3d box = bounds(solid);
