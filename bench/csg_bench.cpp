@@ -91,18 +91,24 @@ void million() {
 
 }  // namespace
 
-int main() {
-  perforated(5, 2, ">=10");
-  perforated(40, 25, ">=7");
-  perforated(400, 250, ">=4");
-  million();
+/// With an argument, only models whose key contains it.
+int main(int argc, char** argv) {
+  const auto wanted = [&](std::string_view key) {
+    return argc < 2 || key.find(argv[1]) != std::string_view::npos;
+  };
+  if (wanted("perforated.10.")) perforated(5, 2, ">=10");
+  if (wanted("perforated.1000.")) perforated(40, 25, ">=7");
+  if (wanted("perforated.100000.")) perforated(400, 250, ">=4");
+  if (wanted("perforated.1000000.")) million();
   for (const int level : {3, 4}) {
+    if (!wanted("menger." + std::to_string(level))) continue;
     Expression expression;
     const Term sponge = menger_sponge(expression, level);
     report("csg.menger." + std::to_string(level) + ".mrays_per_core",
            mrays_per_core(world_of(std::move(expression), sponge, of_body), of_body), "M/s");
   }
   for (const int depth : {8, 10}) {
+    if (!wanted("tree." + std::to_string(depth))) continue;
     Expression expression;
     const Term tree = AlternatingTree(expression, depth).build();
     report("csg.tree." + std::to_string(depth) + ".mrays_per_core",

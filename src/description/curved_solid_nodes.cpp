@@ -87,10 +87,29 @@ NodeKind ellipsoid() {
   });
 }
 
+NodeKind quadric() {
+  using Parameters = ObjectOf<geometry::QuadraticForm>;
+  using geometry::QuadraticForm;
+  Declaration<Parameters> d({.name = "quadric",
+                             .doc = "Where a polynomial of the second degree is at most 0.",
+                             .section = section});
+  d.parameter("squares", &QuadraticForm::squares, {.doc = "Coefficients of x^2, y^2 and z^2."})
+      .parameter("products", &QuadraticForm::products, {.doc = "Coefficients of xy, xz and yz."})
+      .parameter("linear", &QuadraticForm::linear, {.doc = "Coefficients of x, y and z."})
+      .parameter("constant", &QuadraticForm::constant, {.doc = "What is added to these."});
+  return node_kind(declare_object(d), [](Parameters&& q, const Context& context) {
+    if (q.squares == Vec3d{} && q.products == Vec3d{} && q.linear == Vec3d{}) {
+      context.at("squares").fail("must not be zero when 'products' and 'linear' are");
+    }
+    auto form = std::make_shared<const QuadraticForm>(static_cast<const QuadraticForm&>(q));
+    return object_node(Solid(geometry::Quadric{std::move(form)}), std::move(q), context);
+  });
+}
+
 }  // namespace
 
 std::vector<NodeKind> curved_solid_kinds() {
-  return {cone(), torus(), ellipsoid()};
+  return {cone(), torus(), ellipsoid(), quadric()};
 }
 
 }  // namespace lapidary::description

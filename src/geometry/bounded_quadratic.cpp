@@ -28,11 +28,12 @@ SignChanges of_constant(Bounded c) {
   return {c.value < 0.0 ? Start::negative : Start::positive};
 }
 
+/// A root that has no bound is as far away as the other one may be.
 SignChanges of_linear(const BoundedQuadratic& f) {
   const double s = -0.5 * f.c.value / f.b.value;
   const Disturbance d = disturbance_at(f, s, std::abs(f.b.value));
-  const double error =
-      is_steep(d, f.a.error) ? d.e / d.h + 5 * rounding_unit * std::abs(s) : infinity;
+  if (!is_steep(d, f.a.error)) return of_constant(f.c);
+  const double error = d.e / d.h + 5 * rounding_unit * std::abs(s);
   return {f.b.value > 0.0 ? Start::negative : Start::positive, 1, {{s, error}}};
 }
 

@@ -22,7 +22,8 @@ struct SignChanges {
 /// All sign changes of f, with bounds that hold for every f within the errors.
 ///
 /// A leading coefficient within twice its error of zero counts as zero: the far root of such an f
-/// is further away than |b / a error|, and counts as infinitely far. Likewise b, for a constant.
+/// is further away than |b / a error|, and counts as infinitely far. Likewise b, for a constant,
+/// and a near root that is itself about as far.
 ///
 /// Error analysis. The two roots of the computed f are found to 5 u |s|: the discriminant has a
 /// relative error of 3 u (Jeannerod, Louvet & Muller 2013), so its root 2.5 u, and neither -b -

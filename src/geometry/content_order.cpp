@@ -31,6 +31,11 @@ int compare(const Polyhedron& a, const Polyhedron& b) {
   return 0;
 }
 
+int compare(const Quadric& a, const Quadric& b) {
+  static_assert(sizeof(QuadraticForm) == 10 * sizeof(double));
+  return std::memcmp(a.form.get(), b.form.get(), sizeof(QuadraticForm));
+}
+
 int compare(const Prism& a, const Prism& b) {
   return compare_content(a, b);
 }

@@ -97,4 +97,30 @@ double affine_area(const Torus& torus, const Mat3& linear) {
   return 2.0 * integrate(circle, 0.0, profile_angle(torus));
 }
 
+std::optional<Solid> image(const Quadric&, const Transform&) {
+  return std::nullopt;
+}
+
+double image_error(const Quadric&, const Quadric&, const Transform&) {
+  return 0.0;
+}
+
+/// Tight for ellipsoids; otherwise around the image of the bounds.
+Box3d affine_bounds(const Quadric& quadric, const Transform& map) {
+  const Box3d own = bounds(quadric);
+  const auto ellipsoid = ellipsoid_surface(*quadric.form);
+  if (!own.bounded() || !ellipsoid) return map.box(own);
+  const Mat3 axes = map.linear() * ellipsoid->axes;
+  const Vec3d center = map.point(ellipsoid->center);
+  const Vec3d half = Vec3d{length(axes.row[0]), length(axes.row[1]), length(axes.row[2])} *
+                     (1.0 + ellipsoid->error);
+  return {center - half, center + half};
+}
+
+double affine_area(const Quadric& quadric, const Mat3& linear) {
+  const auto ellipsoid = ellipsoid_surface(*quadric.form);
+  if (!ellipsoid) return infinity;
+  return ellipsoid->is_empty() ? 0.0 : ellipsoid_area(linear * ellipsoid->axes);
+}
+
 }  // namespace lapidary::geometry

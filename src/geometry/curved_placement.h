@@ -6,7 +6,8 @@
 
 namespace lapidary::geometry {
 
-// What placing cones and tori takes, as placed_solid.cpp has it for the kinds it knows itself:
+// What placing cones, tori and quadrics takes, as placed_solid.cpp has it for the kinds it knows
+// itself:
 //   image          of the solid under the map, where it is of the same kind
 //   image_error    bounds how far the surface of `image`, computed in doubles, is from the exact
 //   one affine_bounds  of the exact image under any map, to rounding affine_area    of the image
@@ -21,5 +22,11 @@ std::optional<Solid> image(const Torus& torus, const Transform& map);
 double image_error(const Torus& solid, const Torus& image, const Transform& map);
 Box3d affine_bounds(const Torus& torus, const Transform& map);
 double affine_area(const Torus& torus, const Mat3& linear);
+
+/// Of a quadric there is no image, see `transformed`.
+std::optional<Solid> image(const Quadric& quadric, const Transform& map);
+double image_error(const Quadric& solid, const Quadric& image, const Transform& map);
+Box3d affine_bounds(const Quadric& quadric, const Transform& map);
+double affine_area(const Quadric& quadric, const Mat3& linear);
 
 }  // namespace lapidary::geometry

@@ -151,10 +151,14 @@ Box3d bounds(const PlacedSolid& placed) {
   const Transform& map = placed.world_from_solid();
   const Box3d box =
       std::visit([&](const auto& kind) { return affine_bounds(kind, map); }, placed.shape());
-  if (!box.bounded()) return Box3d::all();
+  const bool is_number = !std::isnan(one_norm(box.min)) && !std::isnan(one_norm(box.max));
+  if (!is_number) return Box3d::all();  // infinities that met
   // Every term that the corners are sums of is at most this, and each has a few roundings.
   const Box3d own = bounds(placed.shape());
-  const Vec3d reach = max(abs(own.min), abs(own.max));
+  // Where the solid is without bounds, so is the image, or it does not come in.
+  const auto finite = [](double x) { return std::isfinite(x) ? std::abs(x) : 0.0; };
+  Vec3d reach;
+  for (std::size_t i = 0; i < 3; ++i) reach[i] = std::max(finite(own.min[i]), finite(own.max[i]));
   const double size = one_norm(magnitudes(map.linear()) * reach) + one_norm(map.offset());
   return padded(box, 16 * u_ * size);
 }
@@ -176,10 +180,10 @@ BoundaryPoint sample_boundary(const PlacedSolid& placed, Vec2d u, double u_patch
 
 double boundary_pdf_area(const PlacedSolid& placed, Patch patch, Vec3d p) {
   const OwnSpace* space = placed.own_space();
-  if (space == nullptr) return 1.0 / area(placed.shape());
-  const Vec3d n = outward_normal(placed.solid(), patch, space->point(p));
+  if (space == nullptr) return sampling_pdf_area(placed.shape(), patch, p);
+  const Vec3d own = space->point(p), n = outward_normal(placed.solid(), patch, own);
   const double stretch = length(cofactors(space->world_from_own().linear()) * n);
-  return 1.0 / (area(placed.solid()) * stretch);
+  return sampling_pdf_area(placed.solid(), patch, own) / stretch;
 }
 
 }  // namespace lapidary::geometry

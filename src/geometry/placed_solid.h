@@ -60,7 +60,8 @@ bool contains(const PlacedSolid& placed, Vec3d p);
 Box3d bounds(const PlacedSolid& placed);
 /// Exact to 1e-13 (relative) under any map; may be infinite.
 double area(const PlacedSolid& placed);
-/// Uniform by area in the solid's own space: under a similarity in the world, too.
+/// As the solid is sampled in its own space: for most kinds uniform by area, then under a
+/// similarity in the world, too.
 BoundaryPoint sample_boundary(const PlacedSolid& placed, Vec2d u, double u_patch);
 /// The density of sample_boundary, per unit world area, at a point of the boundary.
 double boundary_pdf_area(const PlacedSolid& placed, Patch patch, Vec3d p);

@@ -35,6 +35,14 @@ std::optional<Solid> image(const Other& solid, const Transform& map) {
   return map.is_identity() ? std::optional<Solid>(solid) : std::nullopt;
 }
 
+template <typename Kind>
+double density(const Kind& kind, Patch, Vec3d) {
+  return 1.0 / area(kind);
+}
+double density(const Quadric& quadric, Patch patch, Vec3d p) {
+  return sampling_pdf_area(quadric, patch, p);
+}
+
 }  // namespace
 
 SurfaceUv surface_uv(const Solid& solid, Patch patch, Vec3d p) {
@@ -51,6 +59,10 @@ double area(const Solid& solid) {
 
 BoundaryPoint sample_boundary(const Solid& solid, Vec2d u, double u_patch) {
   return std::visit([&](const auto& kind) { return sample_boundary(kind, u, u_patch); }, solid);
+}
+
+double sampling_pdf_area(const Solid& solid, Patch patch, Vec3d p) {
+  return std::visit([&](const auto& kind) { return density(kind, patch, p); }, solid);
 }
 
 std::optional<Solid> transformed(const Solid& solid, const Transform& world_from_object) {

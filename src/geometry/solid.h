@@ -11,6 +11,7 @@
 #include "geometry/mesh_body.h"
 #include "geometry/polyhedron.h"
 #include "geometry/prism.h"
+#include "geometry/quadric.h"
 #include "geometry/sphere.h"
 #include "geometry/torus.h"
 #include "math/interval.h"
@@ -27,13 +28,14 @@ namespace lapidary::geometry {
 ///   bool contains(const Kind&, Vec3d p);                      closed point membership
 ///   Box3d bounds(const Kind&);                                tight, may be infinite
 ///   double area(const Kind&);                                 of the boundary, may be infinite
-///   BoundaryPoint sample_boundary(const Kind&, Vec2d u, double u_patch);   uniform by area
+///   BoundaryPoint sample_boundary(const Kind&, Vec2d u, double u_patch);   uniform by area, or
+///   double sampling_pdf_area(const Kind&, Patch, Vec3d p);                 with this density
 ///
 /// so a forgotten function is a compile error at the visit below. The visits are switches that
-/// inline. Copying a kind does not throw, so a Solid is never without value; one with much data
-/// holds it as a shared pointer to const.
-using Solid =
-    std::variant<Sphere, Box, HalfSpace, Cylinder, MeshBody, Polyhedron, Cone, Prism, Torus>;
+/// inline. Copying a kind does not throw, so a Solid is never without value; what does not fit into
+/// 64 bytes is a shared pointer to const.
+using Solid = std::variant<Sphere, Box, HalfSpace, Cylinder, MeshBody, Polyhedron, Cone, Prism,
+                           Torus, Quadric>;
 
 /// Every exact event of the solid on the line has a reported one within its tau, and no other is
 /// reported, except that chords no longer than the tau of their ends may be missing or extra.
@@ -54,10 +56,13 @@ SurfaceUv surface_uv(const Solid& solid, Patch patch, Vec3d p);
 Box3d bounds(const Solid& solid);
 double area(const Solid& solid);
 BoundaryPoint sample_boundary(const Solid& solid, Vec2d u, double u_patch);
+/// The density of sample_boundary, per unit area, at a point of the boundary.
+double sampling_pdf_area(const Solid& solid, Patch patch, Vec3d p);
 
 /// The image of the solid under a map, where it is a solid of the same kind with the same patches:
 /// spheres, cylinders, cones and tori under similarities, boxes under positive scaling along the
-/// axes and translation, half-spaces under any map, all others under the identity. Otherwise
+/// axes and translation, half-spaces under any map, all others under the identity: the rounding of
+/// new coefficients would displace the unbounded surface of a quadric without bound. Otherwise
 /// nothing. Accuracy: a few roundings of the coordinates; similarities as Transform::similarity has
 /// it.
 std::optional<Solid> transformed(const Solid& solid, const Transform& world_from_object);

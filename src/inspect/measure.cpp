@@ -20,6 +20,7 @@ using geometry::HalfSpace;
 using geometry::MeshBody;
 using geometry::Polyhedron;
 using geometry::Prism;
+using geometry::Quadric;
 using geometry::Sheet;
 using geometry::Solid;
 using geometry::Sphere;
@@ -42,6 +43,7 @@ struct VolumeOf {
     return std::numbers::pi / 3.0 * (r * r + r * r2 + r2 * r2) * length(c.to - c.from);
   }
   double operator()(const Torus& t) const { return volume(t); }
+  double operator()(const Quadric& q) const { return volume(q); }
   double operator()(const HalfSpace&) const { return infinity; }
   double operator()(const MeshBody& m) const { return m.volume(); }
   double operator()(const Polyhedron& p) const { return p.volume(); }

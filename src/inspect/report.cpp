@@ -33,6 +33,7 @@ struct KindOf {
   std::string operator()(const geometry::Cylinder&) const { return "cylinder"; }
   std::string operator()(const geometry::Cone&) const { return "cone"; }
   std::string operator()(const geometry::Torus&) const { return "torus"; }
+  std::string operator()(const geometry::Quadric&) const { return "quadric"; }
   std::string operator()(const geometry::HalfSpace&) const { return "half-space"; }
   std::string operator()(const geometry::MeshBody&) const { return "mesh"; }
   std::string operator()(const geometry::Polyhedron&) const { return "polyhedron"; }

@@ -55,6 +55,16 @@ TEST_F(NodeTest, ShapesMeanWhatTheySay) {
   EXPECT_EQ(ring.major_radius, 2);
 }
 
+TEST_F(NodeTest, AQuadricHasTheCoefficientsGiven) {
+  const auto q = solid<geometry::Quadric>(
+      "quadric", "{squares = {1, 2, 3}, products = {4, 5, 6}, linear = {7, 8, 9}, constant = 10}");
+  // At (1, 10, 100) the digits of the value say which coefficient went where.
+  EXPECT_EQ(value_at(*q.form, {1, 10, 100}), 1 + 200 + 30000 + 40 + 500 + 6000 + 7 + 80 + 900 + 10);
+  EXPECT_EQ(solid<geometry::Quadric>("quadric", "{}").form->constant, -1);
+  EXPECT_THAT(make_.error_of("quadric", "{squares = {0, 0, 0}}"),
+              HasSubstr("squares of quadric must not be zero"));
+}
+
 TEST_F(NodeTest, AnEllipsoidIsAStretchedBall) {
   const auto object = make_.object("ellipsoid", "{center = {1, 2, 3}, radii = {4, 5, 6}}");
   const auto ball = std::get<geometry::Sphere>(std::get<geometry::Solid>(object->content));

@@ -25,6 +25,10 @@ inline std::string describe(const Cone& c) {
 inline std::string describe(const Torus& t) {
   return in_words("torus", words_of(t.center), words_of(t.axis), t.major_radius, t.minor_radius);
 }
+inline std::string describe(const Quadric& q) {
+  return in_words("quadric", words_of(q.form->squares), words_of(q.form->products),
+                  words_of(q.form->linear), q.form->constant);
+}
 
 template <typename Kind>
 struct Trial {
@@ -37,7 +41,7 @@ struct Trial {
   bool is_on_surface(Quad t) const {
     const Vec p = exact_line.at(t);
     const double size = scale + as_double(length(p - exact_line.origin));
-    return as_double(magnitude(depth(kind, p))) <= rounding * size;
+    return as_double(magnitude(depth(kind, p))) <= rounding * depth_scale(kind, size);
   }
 };
 
@@ -85,6 +89,39 @@ template <typename Kind>
   return ::testing::AssertionSuccess();
 }
 
+/// A line along an asymptote to within rounding may lose the crossing that is further away, and
+/// both when they are far.
+inline ::testing::AssertionResult match_either(const Trial<Quadric>& trial,
+                                               const EventBuffer& events, Crossings expected,
+                                               Tally& tally) {
+  const auto result = match(trial, events, expected, tally);
+  const ExactLine& line = trial.exact_line;
+  if (result || !is_asymptotic(trial.kind, line, trial.rounding)) return result;
+  ++tally.disagreements;
+  const bool all_are_lost = std::ranges::all_of(
+      expected.t, [&](Quad t) { return is_lost(trial.kind, line, t, trial.rounding); });
+  if (events.empty() && all_are_lost) {
+    const Quad nearest = -dot(line.origin, line.direction) / dot(line.direction, line.direction);
+    const bool inside = depth(trial.kind, line.at(nearest)) > 0;
+    const bool is_decided = inside == events.inside_at_start() || trial.is_on_surface(nearest);
+    return is_decided ? ::testing::AssertionSuccess() : result;
+  }
+  if (expected.t.empty()) return result;
+  if (magnitude(expected.t.front()) > magnitude(expected.t.back())) {
+    expected.t.erase(expected.t.begin());
+    expected.inside_at_start = !expected.inside_at_start;
+  } else {
+    expected.t.pop_back();
+  }
+  const auto without = match(trial, events, expected, tally);
+  return without ? without : result;
+}
+template <typename Kind>
+::testing::AssertionResult match_either(const Trial<Kind>& trial, const EventBuffer& events,
+                                        const Crossings& expected, Tally& tally) {
+  return match(trial, events, expected, tally);
+}
+
 template <typename Kind>
 ::testing::AssertionResult check(const Trial<Kind>& trial, const EventBuffer& events,
                                  Tally& tally) {
@@ -100,7 +137,7 @@ template <typename Kind>
     tally.relative_taus.push_back(e.tau * d / (length(trial.line.origin) + d * std::abs(e.t)));
   }
   events.empty() ? ++tally.misses : ++tally.hits;
-  const auto result = match(trial, events, expected, tally);
+  const auto result = match_either(trial, events, expected, tally);
   if (result) return result;
   return ::testing::AssertionFailure()
          << result.message() << "; " << events.size() << " events, " << expected.t.size()

@@ -16,7 +16,7 @@ using lapidary::test::Random;
 template <typename Kind>
 class CurvedSurface : public testing::Test {};
 
-using Kinds = testing::Types<Cone, Torus>;
+using Kinds = testing::Types<Cone, Torus, Quadric>;
 TYPED_TEST_SUITE(CurvedSurface, Kinds);
 
 /// Calls `check` with solids of many sizes and points of their boundaries.
@@ -28,7 +28,8 @@ void for_boundary_points(Check check) {
     setting.scale = random.magnitude(-3, 3);
     const Kind kind = hostile::make<Kind>(setting, random);
     const Vec2d u = random.uniform2();
-    check(kind, sample_boundary(kind, u, random.uniform()));
+    const BoundaryPoint b = sample_boundary(kind, u, random.uniform());
+    if (b.pdf_area > 0.0) check(kind, b);
   }
 }
 
@@ -45,6 +46,7 @@ TYPED_TEST(CurvedSurface, NormalsAreUnitAndPointOut) {
 
 TYPED_TEST(CurvedSurface, TextureCoordinatesMoveWithTheirDerivatives) {
   for_boundary_points<TypeParam>([](const TypeParam& kind, const BoundaryPoint& b) {
+    if (std::is_same_v<TypeParam, Quadric>) return;  // planar and in pieces: quadric_test.cpp
     const SurfaceUv s = surface_uv(kind, b.patch, b.p);
     const double step = 1e-6;
     ASSERT_TRUE(s.uv.x >= -1e-9 && s.uv.x <= 1.0 + 1e-9 && s.uv.y >= -1e-9 && s.uv.y <= 1 + 1e-9);
@@ -84,6 +86,7 @@ TYPED_TEST(CurvedSurface, BoundsContainTheBoundaryTightly) {
     const hostile::Setting setting = hostile::setting(random);
     const TypeParam kind = hostile::make<TypeParam>(setting, random);
     const PlacedSolid placed(kind, hostile::placement(random));
+    if (!bounds(kind).bounded() || !std::isfinite(area(kind))) continue;
     Box3d own, world;
     for (int k = 0; k < 1000; ++k) {
       const Vec2d u = random.uniform2();
@@ -116,7 +119,7 @@ TYPED_TEST(CurvedSurface, MidpointsBetweenEventsAgreeWithMembership) {
       // Within rounding of the boundary membership is anybody's guess.
       const double depth = static_cast<double>(exact::depth(kind, exact::Vec(p)));
       const double size = length(line.origin) + length(p) + length(exact::reference_of(kind));
-      if (std::abs(depth) < 1e-14 * size) return;
+      if (std::abs(depth) < 1e-14 * exact::depth_scale(kind, size)) return;
       ASSERT_EQ(contains(kind, p), expected) << depth;
       inside += expected;
     };
@@ -176,6 +179,7 @@ TYPED_TEST(CurvedSurface, DensitiesIntegrateToTheArea) {
   for (int i = 0; i < 40; ++i) {
     const TypeParam kind = hostile::make<TypeParam>(hostile::Setting{}, random);
     const PlacedSolid placed(kind, hostile::placement(random));
+    if (!std::isfinite(area(kind))) continue;
     test::RunningMean mean;
     for (int k = 0; k < 4000; ++k) {
       const Vec2d u = random.uniform2();

@@ -151,7 +151,7 @@ inline double distance_scale(const Solid& solid, const Line& line) {
         else if constexpr (requires { kind.from; })
           return kind.from;
         else
-          return bounds(kind).center();
+          return bounds(kind).bounded() ? bounds(kind).center() : Vec3d{};
       },
       solid);
   const Box3d box = bounds(solid);

@@ -5,8 +5,8 @@
 
 #include "exact_solids.h"
 
-/// Cones and tori on lines in 113-bit arithmetic by textbook formulas, as exact_solids.h has the
-/// simpler kinds. Nothing here is shared with the code.
+/// Cones, tori and quadrics on lines in 113-bit arithmetic by textbook formulas, as exact_solids.h
+/// has the simpler kinds. Nothing here is shared with the code.
 namespace lapidary::geometry::exact {
 
 /// Where a line crosses the boundary, in ascending t.
@@ -200,6 +200,88 @@ inline bool runs_along(const Torus&, const ExactLine&, double) {
 
 inline Vec3d reference_of(const Torus& torus) {
   return torus.center;
+}
+
+inline Quad value_at(const QuadraticForm& f, const Vec& p) {
+  const Vec s(f.squares), m(f.products);
+  return s.x * p.x * p.x + s.y * p.y * p.y + s.z * p.z * p.z + m.x * p.x * p.y + m.y * p.x * p.z +
+         m.z * p.y * p.z + dot(Vec(f.linear), p) + f.constant;
+}
+
+/// How large the terms are within a distance; the coefficients' rounding is relative to these.
+inline double size_of(const QuadraticForm& f, double distance) {
+  return (length(f.squares) + length(f.products)) * distance * distance +
+         length(f.linear) * distance + std::abs(f.constant);
+}
+
+/// By three values along the line, from near the origin.
+inline Crossings crossings(const Quadric& quadric, const ExactLine& line) {
+  const QuadraticForm& f = *quadric.form;
+  const Vec& d = line.direction;
+  const Quad nearest = -dot(line.origin, d) / dot(d, d);
+  const Vec q = line.at(nearest);
+  const Quad a = value_at({f.squares, f.products, {}, 0.0}, d), c = value_at(f, q);
+  const Quad b = (value_at(f, q + d) - value_at(f, q - d)) / 4;
+  Crossings crossings;
+  if (a != 0) {
+    crossings.inside_at_start = a < 0;
+    crossings.t = roots_of(a, b, c);
+  } else if (b != 0) {
+    crossings.inside_at_start = b > 0;
+    crossings.t = {-c / (2 * b)};
+  } else {
+    crossings.inside_at_start = c <= 0;
+  }
+  for (Quad& t : crossings.t) t += nearest;
+  return crossings;
+}
+
+/// Positive inside, in units of the value.
+inline Quad depth(const Quadric& quadric, const Vec& p) {
+  return -value_at(*quadric.form, p);
+}
+
+/// What the rounding of a depth is relative to, where distances are up to `size`.
+template <typename Kind>
+double depth_scale(const Kind&, double size) {
+  return size;
+}
+inline double depth_scale(const Quadric& quadric, double size) {
+  return size_of(*quadric.form, size);
+}
+
+/// Of an ellipsoid, by its extents: how sharply it may be bent.
+inline double least_extent(const Quadric& quadric) {
+  const Box3d box = bounds(quadric);
+  if (!box.bounded()) return 1.0;
+  const Vec3d e = box.extent();
+  const double least = std::min(std::min(e.x, e.y), e.z);
+  return least * least / max_component(e);
+}
+
+/// Along an asymptote, up to the angle `rounding`.
+inline bool is_asymptotic(const Quadric& quadric, const ExactLine& line, double rounding) {
+  const QuadraticForm squares{quadric.form->squares, quadric.form->products, {}, 0.0};
+  const Quad dd = dot(line.direction, line.direction);
+  return magnitude(value_at(squares, line.direction)) <= dd * Quad(rounding * size_of(squares, 1));
+}
+
+/// Whether the crossing at t is so far from the point nearest to the origin that rounding of the
+/// part of the second degree outweighs the value there.
+inline bool is_lost(const Quadric& quadric, const ExactLine& line, Quad t, double rounding) {
+  const Vec& d = line.direction;
+  const Quad nearest = -dot(line.origin, d) / dot(d, d);
+  const QuadraticForm squares{quadric.form->squares, quadric.form->products, {}, 0.0};
+  const double uncertain =
+      rounding * size_of(squares, static_cast<double>(length(d * (t - nearest))));
+  return magnitude(value_at(*quadric.form, line.at(nearest))) <= Quad(uncertain);
+}
+inline bool runs_along(const Quadric& quadric, const ExactLine& line, double rounding) {
+  return is_asymptotic(quadric, line, rounding);
+}
+
+inline Vec3d reference_of(const Quadric&) {
+  return {};
 }
 
 }  // namespace lapidary::geometry::exact

@@ -3,7 +3,7 @@
 #include "geometry/placed_solid.h"
 #include "hostile_lines.h"
 
-/// Cones, tori and lines that are hard on purpose for them.
+/// Cones, tori, quadrics and lines that are hard on purpose for them.
 namespace lapidary::geometry::hostile {
 
 template <typename Kind>
@@ -104,6 +104,69 @@ inline Line special_line(const Torus& torus, const Setting& s, Random& random) {
   l.direction *= random.magnitude(-3, 3);
   l.origin = l.at(s.scale / length(l.direction) * random.uniform(-3, 3));
   if (random.index(2) == 0) l.origin += random.direction() * (s.scale * random.magnitude(-18, -6));
+  return l;
+}
+
+/// Ellipsoids, and everything else: f(p) = (q . diagonal q) + linear . q + constant for
+/// q = turn (p - center).
+inline QuadraticForm quadratic_form(const Mat3& turn, Vec3d center, Vec3d diagonal, Vec3d linear,
+                                    double constant) {
+  Mat3 m{{Vec3d{}, Vec3d{}, Vec3d{}}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 3; ++i) m.row[i] += turn.row[k] * (diagonal[k] * turn.row[k][i]);
+  }
+  const Vec3d g = transpose(turn) * linear, mc = m * center;
+  return {{m.row[0].x, m.row[1].y, m.row[2].z},
+          Vec3d{m.row[0].y, m.row[0].z, m.row[1].z} * 2.0,
+          g - mc * 2.0,
+          dot(mc, center) - dot(g, center) + constant};
+}
+
+template <>
+inline Quadric make<Quadric>(const Setting& s, Random& random) {
+  const Mat3 turn = random.index(3) == 0
+                        ? Mat3()
+                        : Transform::rotation(random.direction(), random.uniform(0, 6)).linear();
+  const Vec3d center = random.index(2) == 0 ? s.offset : s.point(random);
+  const auto square = [&] { return std::pow(s.size(random), -2.0); };
+  const double x = square(), y = square();
+  Vec3d diagonal{x, y, square()}, linear;
+  double constant = -1;
+  switch (random.index(8)) {
+    case 0:  // hyperboloids and a cone
+      diagonal.z *= -1, constant = static_cast<double>(random.index(3)) - 1;
+      break;
+    case 1:  // a cylinder, or a paraboloid
+      diagonal.z = 0, linear.z = random.index(2) == 0 ? 0.0 : 1.0 / s.scale;
+      break;
+    case 2:  // a hyperbolic cylinder or paraboloid, or two planes
+      diagonal.z = 0, diagonal.y *= -1, constant = random.index(2) == 0 ? 0.0 : -1.0;
+      linear.z = random.index(2) == 0 ? 0.0 : 1.0 / s.scale;
+      break;
+    case 3:  // a slab, or a plane
+      diagonal = {random.index(2) == 0 ? diagonal.x : 0.0, 0, 0};
+      linear.x = diagonal.x == 0.0 ? 1.0 / s.scale : 0.0;
+      break;
+    case 4:  // all outside of an ellipsoid
+      diagonal = -diagonal, constant = 1;
+      break;
+    default:
+      break;
+  }
+  return {std::make_shared<const QuadraticForm>(
+      quadratic_form(turn, center, diagonal, linear, constant))};
+}
+
+/// Along a direction in which the part of the second degree vanishes, where there is one, through
+/// any point.
+inline Line special_line(const Quadric& quadric, const Setting& s, Random& random) {
+  const QuadraticForm f{quadric.form->squares, quadric.form->products, {}, 0.0};
+  const Vec3d a = random.direction(), b = random.direction();
+  const double aa = value_at(f, a), bb = value_at(f, b), ab = value_at(f, a + b) - aa - bb;
+  const double discriminant = ab * ab - 4 * aa * bb;
+  Line l{s.point(random), a};
+  if (discriminant >= 0 && bb != 0) l.direction += b * ((std::sqrt(discriminant) - ab) / (2 * bb));
+  l.direction *= random.magnitude(-3, 3);
   return l;
 }
 

@@ -61,6 +61,21 @@ TEST(Measure, AnInsideOutMeshHasNegativeVolume) {
   EXPECT_NEAR(measure_of(make_object(shared(mesh))).volume.value(), -1, 1e-12);
 }
 
+TEST(Measure, QuadricsAreMeasuredWhereTheyAreEllipsoids) {
+  const auto with = [](Vec3d squares) {
+    return geometry::Quadric{
+        std::make_shared<geometry::QuadraticForm>(squares, Vec3d{}, Vec3d{}, -1)};
+  };
+  const Measure lens = measure_of(make_object(with({1, 1, 4}), Transform::scaling({1, 1, 2})));
+  EXPECT_NEAR(lens.volume.value(), 4 * pi / 3, 1e-9);
+  EXPECT_NEAR(lens.area.value(), 4 * pi, 1e-9);
+  const Measure pipe = measure_of(make_object(with({1, 1, 0})));
+  EXPECT_FALSE(pipe.area);
+  EXPECT_FALSE(pipe.volume);
+  EXPECT_NEAR(pipe.bounds.max.x, 1, 1e-12);
+  EXPECT_EQ(pipe.bounds.max.z, infinity);
+}
+
 TEST(Measure, HalfSpacesHaveNeitherAreaNorVolume) {
   const Measure ground = measure_of(make_object(geometry::HalfSpace{}));
   EXPECT_FALSE(ground.area);

@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include "description/combination.h"
+#include "scene/shapes.h"
+#include "transport/probe.h"
+
+// Media follow from the solids: absorption on the way, and no interface made by hand.
+
+namespace lapidary::test {
+namespace {
+
+using description::ObjectPtr;
+using description::SetOperation;
+using geometry::Box;
+using geometry::Sphere;
+
+/// A clear body of this index, in which light is `color` after a way of `distance`.
+description::MaterialPtr tinted(double index, double color, double distance) {
+  description::Glass glass{{RefractiveIndex::constant(index), 0.0}, {}};
+  glass.absorption = description::Absorption{grey(color), distance};
+  return material(glass);
+}
+
+ObjectPtr solid(const geometry::Solid& shape) {
+  description::Object object;
+  object.content = shape;
+  return std::make_shared<const description::Object>(std::move(object));
+}
+
+ObjectPtr worn(const ObjectPtr& object, description::MaterialPtr material) {
+  return description::with_material(*object, std::move(material));
+}
+
+ObjectPtr ranked(const ObjectPtr& object, std::int32_t priority) {
+  return description::with_attributes(*object, {.priority = priority});
+}
+
+scene::Scene under_sky(const std::vector<ObjectPtr>& objects) {
+  TinyScene tiny;
+  tiny.sky(1.0);
+  tiny.description.objects = objects;
+  return tiny.build();
+}
+
+double seen(const std::vector<ObjectPtr>& objects, const geometry::Ray& r) {
+  return radiance(under_sky(objects), r, {{64}, 4, 4}).mean();
+}
+
+const geometry::Ray across = ray({-5, 0.1, 0.2}, {1, 0, 0});
+
+TEST(Media, AbsorbAsBeerAndLambertSay) {
+  // Of index 1 there is no reflection, only the way of 3 through the box.
+  const ObjectPtr box = worn(solid(Box{{-1, -1, -1}, {2, 1, 1}}), tinted(1.0, 0.25, 2.0));
+  EXPECT_NEAR(seen({box}, across), std::pow(0.25, 1.5), 1e-6);
+  EXPECT_NEAR(seen({box}, ray({0, 0, 0}, {1, 0, 0})), 0.25, 1e-6) << "from inside";
+  const ObjectPtr black = worn(solid(Box{}), tinted(1.0, 0.0, 1.0));
+  EXPECT_EQ(seen({black}, across), 0.0);
+}
+
+TEST(Media, TheHigherPriorityFillsAnOverlapAndThenTheFirst) {
+  const auto strong = tinted(1.0, 0.1, 1.0), weak = tinted(1.0, 0.8, 1.0);
+  const ObjectPtr a = worn(solid(Box{{-2, -1, -1}, {1, 1, 1}}), strong);
+  const ObjectPtr b = worn(solid(Box{{0, -1, -1}, {2, 1, 1}}), weak);
+  const double a_first = std::pow(0.1, 3.0) * 0.8,
+               b_first = std::pow(0.1, 2.0) * std::pow(0.8, 2.0);
+  EXPECT_NEAR(seen({a, b}, across), a_first, 1e-7);
+  EXPECT_NEAR(seen({b, a}, across), b_first, 1e-7);
+  EXPECT_NEAR(seen({a, ranked(b, 1)}, across), b_first, 1e-7);
+  EXPECT_NEAR(seen({ranked(b, -1), a}, across), a_first, 1e-7);
+}
+
+TEST(Media, TouchingBodiesOfOneGlassAreOneBody) {
+  const auto clear = glass(1.5);
+  const ObjectPtr left = worn(solid(Box{{-1, -1, -1}, {0.3, 1, 1}}), clear);
+  const ObjectPtr right = worn(solid(Box{{0.3, -1, -1}, {1, 1, 1}}), clear);
+  const geometry::Ray r = ray({0.1, 0.2, -0.3}, {1, 0.1, 0.2});
+  const scene::Scene scene = under_sky({left, right});
+  const geometry::Hit hit = scene.world().nearest(r);
+  EXPECT_NEAR(r.origin.x + hit.t * r.direction.x, 1.0, 1e-12) << "no surface at 0.3";
+}
+
+TEST(Media, ALensThatAbsorbsNothingIsInvisibleInAUniformField) {
+  const ObjectPtr lens =
+      worn(description::combined(SetOperation::intersect, solid(Sphere{{0, 0, -1.7}, 2}),
+                                 solid(Sphere{{0, 0, 1.7}, 2}), {}),
+           glass(1.5));
+  const ObjectPtr water = worn(solid(Box{{-1, -1, -0.1}, {1, 1, 0.1}}), glass(1.33));
+  const scene::Scene scene = under_sky({lens, water});
+  const Probe deep{{1000}, 16, 16};
+  for (const Vec3d direction : {Vec3d{1, 0, 0}, {1, 0.1, -0.3}, {0.1, 0.2, -1}}) {
+    const RunningMean mean = radiance(scene, ray(direction * -4.0, direction), deep);
+    EXPECT_NEAR(mean.mean(), 1.0, 1e-3);
+  }
+}
+
+// In water, glass of the same index is not there.
+TEST(Media, MatchedIndicesHideABody) {
+  const ObjectPtr water = worn(solid(Box{{-2, -2, -2}, {2, 2, 2}}), tinted(1.33, 0.5, 1.0));
+  const ObjectPtr bead = ranked(worn(solid(Sphere{{}, 0.5}), tinted(1.33, 0.5, 1.0)), 1);
+  const geometry::Ray r = ray({0, 0, 0}, {0, 0, 1});
+  const double with = seen({water, bead}, r), without = seen({water}, r);
+  EXPECT_EQ(with, without);
+}
+
+TEST(Media, AGlassMeshHoldsWaterOfItsOwnPriority) {
+  // A cube of triangles around a drop: light from the drop's middle crosses drop, cube and air.
+  TinyScene tiny;
+  tiny.sky(1.0);
+  tiny.add_mesh(cube_mesh(), tinted(1.0, 0.5, 1.0));
+  tiny.description.objects.push_back(
+      ranked(worn(solid(Sphere{{0, 0, 0}, 0.25}), tinted(1.0, 0.1, 1.0)), 1));
+  const scene::Scene scene = tiny.build();
+  const RunningMean mean = radiance(scene, ray({-5, 0, 0.01}, {1, 0, 0}), {{64}, 4, 4});
+  const double chord = 2 * std::sqrt(0.25 * 0.25 - 1e-4);
+  const Box3d cube = scene.world().triangles().bounds();
+  const double way = cube.extent().x - chord;
+  EXPECT_NEAR(mean.mean(), std::pow(0.1, chord) * std::pow(0.5, way), 1e-5);
+}
+
+}  // namespace
+}  // namespace lapidary::test
