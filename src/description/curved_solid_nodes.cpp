@@ -92,7 +92,9 @@ NodeKind quadric() {
   using geometry::QuadraticForm;
   Declaration<Parameters> d({.name = "quadric",
                              .doc = "Where a polynomial of the second degree is at most 0.",
-                             .section = section});
+                             .section = section,
+                             .examples = {"quadric { squares = { 1, 1, 0 }, linear = { z = -1 }, "
+                                          "constant = 0 }"}});
   d.parameter("squares", &QuadraticForm::squares, {.doc = "Coefficients of x^2, y^2 and z^2."})
       .parameter("products", &QuadraticForm::products, {.doc = "Coefficients of xy, xz and yz."})
       .parameter("linear", &QuadraticForm::linear, {.doc = "Coefficients of x, y and z."})
