@@ -56,7 +56,8 @@ local function brilliant()
     local function below(i) return corner(1, main + i, bottom) end
     local here, next = corner(table_size, main, table_z), corner(table_size, main + 2, table_z)
     local before, tip = corner(star_radius, main - 1, star_z), corner(star_radius, main + 1, star_z)
-    local left, right = corner(lower_radius, main - 1, lower_z), corner(lower_radius, main + 1, lower_z)
+    local left = corner(lower_radius, main - 1, lower_z)
+    local right = corner(lower_radius, main + 1, lower_z)
 
     cut(here, tip, next)                 -- star
     cut(before, above(0), tip)           -- crown main
@@ -99,7 +100,8 @@ end
 
 return scene {
   camera = perspective {
-    from = { 0, -8.6, 6.6 }, at = { 0, -0.05, 0.62 }, fov = 17, aperture = 0.05, focus = { 0, -0.6, 0.9 },
+    from = { 0, -8.6, 6.6 }, at = { 0, -0.05, 0.62 }, fov = 17,
+    aperture = 0.05, focus = { 0, -0.6, 0.9 },
   },
   lights = {
     lamps(140, 14),
