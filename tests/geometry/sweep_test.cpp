@@ -38,13 +38,14 @@ TEST(Sweep, SeesNoSkinFromThePlaneOfCoincidentFaces) {
   Expression expression;
   const Term plate = expression.add(PlacedSolid(Box{{-2, -2, -1}, {2, 2, 1}}, map));
   const Term hole = expression.add(
-      PlacedSolid(Box{{-1, -1, -0.5}, {1, 1, 0.5}}, map * Transform::scaling({1, 1, 2})));
+      PlacedSolid(Box{{-1, -1, -1.0 / 3}, {1, 1, 1.0 / 3}},
+                  map * Transform::rotation({0, 0, 1}, 1) * Transform::scaling({1, 1, 3})));
   const Term operands[]{plate, ~hole};
   const Term body = expression.add(Operation::intersect, operands);
   const SolidScene scene = csg::body(std::move(expression), body);
   Random random(3);
   for (int i = 0; i < 200; ++i) {
-    const Vec2d u = random.uniform2() * 0.5;
+    const Vec2d u = random.uniform2() * 0.25;
     const Ray from_plane{map.point({u.x, u.y, 1}), map.vector({0.1, 0.2, -1})};
     EXPECT_EQ(sweep_all(scene, from_plane).size(), 0u);
   }
