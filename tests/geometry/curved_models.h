@@ -68,7 +68,9 @@ struct Truth {
 /// neither the same nor `distinct` from each other, or a stretch between them runs along a surface.
 class CurvedOracle {
  public:
-  CurvedOracle(const CurvedModel& model, double distinct) : model_(model), distinct_(distinct) {}
+  /// Crossings within `same` of each other, or of the start, are one.
+  CurvedOracle(const CurvedModel& model, double distinct, double same = 1e-20)
+      : model_(model), distinct_(distinct), same_(same) {}
 
   std::optional<Truth> truth(const geometry::Ray& ray) {
     const exact::ExactLine line = exact::exact_line(ray.line());
@@ -86,6 +88,12 @@ class CurvedOracle {
     }
     return truth;
   }
+  /// Where the ray last asked about crosses leaves, behind its start.
+  std::vector<double> crossings() const {
+    std::vector<double> t;
+    for (std::size_t i = 1; i < at_.size(); ++i) t.push_back(static_cast<double>(at_[i]));
+    return t;
+  }
 
  private:
   /// Zero and the crossings behind it, each once; false where two cannot be told apart.
@@ -95,14 +103,15 @@ class CurvedOracle {
     for (const CurvedLeaf& leaf : model_.leaves) {
       cross(leaf.solid, before(leaf.model_from_solid, line));
     }
-    starts_on_surface_ = at_.size() > 1 && *std::min_element(at_.begin() + 1, at_.end()) <= 0;
+    starts_on_surface_ =
+        at_.size() > 1 && *std::min_element(at_.begin() + 1, at_.end()) <= Quad(same_);
     std::sort(at_.begin(), at_.end());
     std::size_t kept = 0;
     for (std::size_t i = 1; i < at_.size(); ++i) {
       const Quad gap = at_[i] - at_[kept];
       if (gap > Quad(distinct_)) {
         at_[++kept] = at_[i];
-      } else if (gap > Quad(same)) {
+      } else if (gap > Quad(same_)) {
         return false;
       }
     }
@@ -112,8 +121,8 @@ class CurvedOracle {
 
   void cross(const Solid& solid, const exact::ExactLine& line) {
     const auto keep = [this](Quad t) {
-      if (t > Quad(-same) && t < Quad(exact::never)) at_.push_back(exact::greatest(t, 0));
-      is_decided_ &= t <= Quad(-distinct_) || t >= Quad(-same);
+      if (t > Quad(-same_) && t < Quad(exact::never)) at_.push_back(exact::greatest(t, 0));
+      is_decided_ &= t <= Quad(-distinct_) || t >= Quad(-same_);
     };
     if (const auto* torus = std::get_if<geometry::Torus>(&solid)) {
       for (const Quad t : exact::crossings(*torus, line).t) keep(t);
@@ -141,10 +150,8 @@ class CurvedOracle {
     return evaluate(model_.expression, model_.root, inside_);
   }
 
-  static constexpr double same = 1e-20;
-
   const CurvedModel& model_;
-  double distinct_;
+  double distinct_, same_;
   std::vector<Quad> at_;
   bool starts_on_surface_ = false, is_decided_ = true;
   std::vector<bool> inside_;
