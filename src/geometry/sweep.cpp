@@ -169,8 +169,9 @@ bool Sweep::is_past(std::size_t event, std::size_t start, std::uint32_t slot, st
   const Event& e = s_->buffer[event];
   if (e.t + e.tau < key) return true;  // before the box: where nothing depends on the leaf
   if (start < s_->buffer.size()) return event <= start;
-  if (ray_.from.kind == SurfaceKind::none) return e.t <= 0.0;
-  return e.t <= e.tau || lies_on_start(slot, leaf, event);
+  // What the ray may start on: some of what coincides there has its t above zero, some below.
+  if (e.t <= e.tau) return true;
+  return ray_.from.kind != SurfaceKind::none && lies_on_start(slot, leaf, event);
 }
 
 void Sweep::open_leaf(std::uint32_t slot, std::uint32_t leaf, double key) {

@@ -93,29 +93,31 @@ struct IntRay {
   }
 };
 
+/// The truth of a term where the leaves have these, by the definition.
+inline bool evaluate(const Expression& expression, Term term, const std::vector<bool>& inside) {
+  bool value;
+  if (term.is_leaf()) {
+    value = inside[term.index()];
+  } else {
+    const auto& node = expression.nodes()[term.index()];
+    const bool is_union = node.operation == Operation::unite;
+    value = !is_union;
+    for (const Term t : expression.operands(node)) {
+      if (evaluate(expression, t, inside) == is_union) value = is_union;
+    }
+  }
+  return value != term.is_complement();
+}
+
 struct IntModel {
   std::vector<IntLeaf> leaves;
   Expression expression;
   Term root;
 
-  bool evaluate(Term term, const std::vector<bool>& inside) const {
-    bool value;
-    if (term.is_leaf()) {
-      value = inside[term.index()];
-    } else {
-      const auto& node = expression.nodes()[term.index()];
-      const bool is_union = node.operation == Operation::unite;
-      value = !is_union;
-      for (const Term t : expression.operands(node)) {
-        if (evaluate(t, inside) == is_union) value = is_union;
-      }
-    }
-    return value != term.is_complement();
-  }
   bool inside(const IntRay& ray, Rational t) const {
     std::vector<bool> in(leaves.size());
     for (std::size_t i = 0; i < leaves.size(); ++i) in[i] = ray.inside(leaves[i], t);
-    return evaluate(root, in);
+    return evaluate(expression, root, in);
   }
 
   /// Where the ray enters and leaves at t > 0.
@@ -140,6 +142,11 @@ struct IntModel {
     return found;
   }
 };
+
+/// Between zero and the first of the exact transitions.
+inline Rational start_of(const std::vector<Rational>& exact) {
+  return exact.empty() ? Rational(1, 1000) : Rational(exact[0].p, 2 * exact[0].q);
+}
 
 /// Random trees over integer coordinates from so small a range that faces coincide all the time.
 class RandomModels {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/csg_oracle.h"
+#include "geometry/curved_models.h"
 
 namespace lapidary::test {
 namespace {
@@ -28,6 +28,26 @@ TEST(Sweep, FindsWhatExactArithmeticFinds) {
       ASSERT_TRUE(agree(found, exact)) << "model " << i << " ray " << j << ": " << found.size()
                                        << " transitions instead of " << exact.size();
     }
+  }
+}
+
+// A hole as deep as its plate, looked into from the plane that both share: rounding puts the start
+// below one of the two faces and above the other, where it would see a skin over the hole.
+TEST(Sweep, SeesNoSkinFromThePlaneOfCoincidentFaces) {
+  const Transform map = csg::odd_turn(1.0, {0.3, 0.4, 0.5});
+  Expression expression;
+  const Term plate = expression.add(PlacedSolid(Box{{-2, -2, -1}, {2, 2, 1}}, map));
+  const Term hole = expression.add(
+      PlacedSolid(Box{{-1, -1, -1.0 / 3}, {1, 1, 1.0 / 3}},
+                  map * Transform::rotation({0, 0, 1}, 1) * Transform::scaling({1, 1, 3})));
+  const Term operands[]{plate, ~hole};
+  const Term body = expression.add(Operation::intersect, operands);
+  const SolidScene scene = csg::body(std::move(expression), body);
+  Random random(3);
+  for (int i = 0; i < 200; ++i) {
+    const Vec2d u = random.uniform2() * 0.25;
+    const Ray from_plane{map.point({u.x, u.y, 1}), map.vector({0.1, 0.2, -1})};
+    EXPECT_EQ(sweep_all(scene, from_plane).size(), 0u);
   }
 }
 
