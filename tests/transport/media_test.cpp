@@ -44,7 +44,7 @@ scene::Scene under_sky(const std::vector<ObjectPtr>& objects) {
 
 /// Roulette plays with what has been absorbed, so this has a standard error.
 RunningMean seen(const std::vector<ObjectPtr>& objects, const geometry::Ray& r) {
-  return radiance(under_sky(objects), r, {{64}, 256, 64});
+  return radiance(under_sky(objects), r, {{64}, 1024, 64});
 }
 
 const geometry::Ray across = ray({-5, 0.1, 0.2}, {1, 0, 0});
@@ -62,8 +62,8 @@ TEST(Media, TheHigherPriorityFillsAnOverlapAndThenTheFirst) {
   const auto strong = tinted(1.0, 0.7, 1.0), weak = tinted(1.0, 0.9, 1.0);
   const ObjectPtr a = worn(solid(Box{{-2, -1, -1}, {1, 1, 1}}), strong);
   const ObjectPtr b = worn(solid(Box{{0, -1, -1}, {2, 1, 1}}), weak);
-  const double a_first = std::pow(0.1, 3.0) * 0.8,
-               b_first = std::pow(0.1, 2.0) * std::pow(0.8, 2.0);
+  const double a_first = std::pow(0.7, 3.0) * 0.9;
+  const double b_first = std::pow(0.7, 2.0) * std::pow(0.9, 2.0);
   expect_radiance(seen({a, b}, across), a_first);
   expect_radiance(seen({b, a}, across), b_first);
   expect_radiance(seen({a, ranked(b, 1)}, across), b_first);
@@ -109,7 +109,8 @@ TEST(Media, AGlassMeshHoldsWaterOfItsOwnPriority) {
   tiny.add_mesh(ball_mesh(0), tinted(1.0, 0.7, 1.0));
   tiny.description.objects.push_back(
       ranked(worn(solid(Sphere{{}, 0.25}), tinted(1.0, 0.4, 1.0)), 1));
-  const RunningMean mean = radiance(tiny.build(), ray({-5, 0.05, 0.1}, {1, 0, 0}), {{64}, 256, 64});
+  const RunningMean mean =
+      radiance(tiny.build(), ray({-5, 0.05, 0.1}, {1, 0, 0}), {{64}, 1024, 64});
   const double drop = 2 * std::sqrt(0.25 * 0.25 - 0.05 * 0.05 - 0.1 * 0.1);
   const double octahedron = 2 * (1 - 0.15) - drop;
   expect_radiance(mean, std::pow(0.4, drop) * std::pow(0.7, octahedron));
