@@ -9,6 +9,7 @@
 #include "app/messages.h"
 #include "inspect/averted_lights.h"
 #include "inspect/report.h"
+#include "inspect/solid_warnings.h"
 #include "scene/build.h"
 
 namespace lapidary::app {
@@ -46,22 +47,85 @@ std::string closed_text(const ObjectReport& object) {
   return open_mesh ? fmt::format("{} open", object.closure->open_edges) : "no";
 }
 
+std::string estimate_text(const inspect::Estimate& estimate) {
+  return fmt::format("{:.5g} ±{:.1g}", estimate.value, estimate.standard_error);
+}
+
+std::string area_text(const ObjectReport& object) {
+  if (!object.combination) return number_or(object.measure.area, "infinite");
+  const auto& size = object.combination->size;
+  return size ? estimate_text(size->area) : "unbounded";
+}
+
+std::string volume_text(const ObjectReport& object) {
+  if (!object.combination) {
+    return number_or(object.measure.volume, object.closed ? "infinite" : "-");
+  }
+  const auto& size = object.combination->size;
+  return size ? estimate_text(size->volume) : "unbounded";
+}
+
 void print_more(std::size_t total) {
   if (total > longest_list) fmt::print("  and {} more\n", total - longest_list);
 }
 
 void print_objects(const SceneReport& report) {
   if (report.objects == 0) return;
-  fmt::print("\n  {:<11}{:>10}  {:<12}{:>12}{:>14}  {}\n", "kind", "triangles", "closed", "area",
+  fmt::print("\n  {:<12}{:>10}  {:<12}{:>17}{:>17}  {}\n", "kind", "triangles", "closed", "area",
              "volume", "object");
   std::size_t count = 0;
   for (const ObjectReport& object : report.surfaces) {
     if (object.worn.glow == Glow::whole || ++count > longest_list) continue;
-    fmt::print("  {:<11}{:>10}  {:<12}{:>12}{:>14}  {}\n", object.kind, object.triangles,
-               closed_text(object), number_or(object.measure.area, "infinite"),
-               number_or(object.measure.volume, object.closed ? "infinite" : "-"), label(object));
+    fmt::print("  {:<12}{:>10}  {:<12}{:>17}{:>17}  {}\n", object.kind, object.triangles,
+               closed_text(object), area_text(object), volume_text(object), label(object));
   }
   print_more(count);
+}
+
+std::string corner(Vec3d p) {
+  return fmt::format("{{{:.4g}, {:.4g}, {:.4g}}}", p.x, p.y, p.z);
+}
+
+/// What a combination comes to.
+std::string extent_text(const inspect::CombinationReport& combination) {
+  const Box3d& box = combination.bounds;
+  if (combination.operands.empty) return "nothing is left of it";
+  if (!box.bounded()) return "unbounded, so that it is neither measured nor framed";
+  return fmt::format("from {} to {}", corner(box.min), corner(box.max));
+}
+
+void print_idle(const inspect::OperandReport& operands) {
+  constexpr std::size_t most = 10;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(operands.idle.size(), most); ++i) {
+    list += fmt::format("{}{} ({})", i == 0 ? "" : ", ", operands.idle[i].number,
+                        operands.idle[i].kind);
+  }
+  if (operands.idle.size() > most) list += fmt::format(" and {} more", operands.idle.size() - most);
+  const std::string part = operands.examined < operands.live
+                               ? fmt::format(", looked for in {} of them", operands.examined)
+                               : "";
+  fmt::print("    operands that add no surface, by {} lines each{}: {}\n", operands.lines, part,
+             list);
+}
+
+void print_combinations(const SceneReport& report) {
+  std::size_t count = 0;
+  for (const ObjectReport& object : report.surfaces) {
+    if (!object.combination || ++count > longest_list) continue;
+    if (count == 1) fmt::print("\n  combined solids, measured by random lines:\n");
+    const inspect::OperandReport& operands = object.combination->operands;
+    const auto& size = object.combination->size;
+    fmt::print("  {}: {}, {} of them clipped away; {}{}\n", label(object),
+               counted(operands.stated, "operand"), operands.stated - operands.live,
+               extent_text(*object.combination),
+               size ? fmt::format("; {}", counted(size->lines, "line")) : "");
+    if (!operands.idle.empty() && !operands.empty) print_idle(operands);
+  }
+  print_more(count);
+  if (report.unmeasured > 0) {
+    fmt::print("  {} too many to be measured\n", counted(report.unmeasured, "more combination"));
+  }
 }
 
 void print_lights(const SceneReport& report) {
@@ -134,7 +198,7 @@ void print_mesh_problems(const SceneReport& report) {
 
 void print_overlaps(const SceneReport& report) {
   const auto& [overlaps, complete] = report.overlaps;
-  if (!overlaps.empty()) fmt::print("\nobjects that share a part of their insides:\n");
+  if (!overlaps.empty()) fmt::print("\nopaque objects that share a part of their insides:\n");
   for (std::size_t i = 0; i < std::min(overlaps.size(), longest_list); ++i) {
     fmt::print("  {} and {}\n", label(report.surfaces[overlaps[i].first]),
                label(report.surfaces[overlaps[i].second]));
@@ -149,11 +213,12 @@ ExitCode run(const CheckCommand& command) {
   ThreadPool pool;
   WarningLog warnings;
   auto description = load_scene(command.scene, {}, warnings);
-  const SceneReport report = inspect::inspect(description);
+  const SceneReport report = inspect::inspect(description, pool);
   fmt::print("{}: {}, {}, {}, {}\n", command.scene.file, counted(report.objects, "object"),
              counted(report.operands, "operand"), counted(report.triangles, "triangle"),
              counted(report.lights, "light"));
   print_objects(report);
+  print_combinations(report);
   print_lights(report);
   print_mesh_problems(report);
   print_overlaps(report);
@@ -161,7 +226,9 @@ ExitCode run(const CheckCommand& command) {
   // What a renderer would refuse, building the scene refuses.
   complete_scene(command.scene, description);
   inspect::warn_about_averted_lights(description, warnings);
-  scene::build(description, {description.render.size, pool, warnings});
+  const scene::Scene scene = scene::build(description, {description.render.size, pool, warnings});
+  inspect::warn_about_empty_solids(description, scene, warnings);
+  inspect::warn_about_buried_camera(description, scene, warnings);
   print_warnings(warnings.take());
   return ExitCode::done;
 }

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "app/ray_text.h"
 #include "schema/suggest.h"
 
 namespace lapidary::app {
@@ -151,6 +152,20 @@ void declare(CLI::App& verb, CheckCommand& command) {
   add_scene(verb, command.scene);
 }
 
+void declare(CLI::App& verb, ProbeCommand& command) {
+  add_scene(verb, command.scene);
+  add_text(verb, "--ray", "OX,OY,OZ,DX,DY,DZ", "a ray: where it starts, and its direction",
+           [&](const std::string& text) {
+             try {
+               command.ray = parse_ray(text);
+             } catch (const std::invalid_argument& problem) {
+               throw UsageError(fmt::format("--ray {}, not '{}'", problem.what(), text));
+             }
+           });
+  add_text(verb, "--rays", "FILE", "the same for many rays, one a line",
+           [&](const std::string& text) { command.rays_file = text; });
+}
+
 void declare(CLI::App& verb, CompareCommand& command) {
   verb.add_option("IMAGE", command.image, "the picture to judge")->required()->type_name("");
   verb.add_option("REFERENCE", command.reference, "what it should be")->required()->type_name("");
@@ -202,6 +217,16 @@ UsageError usage_error(const CLI::ParseError& error, const CLI::App& verb) {
   return UsageError(error.what(), hint);
 }
 
+/// Of most commands any options go together.
+template <typename Kind>
+void check_together(const Kind&) {}
+
+void check_together(const ProbeCommand& command) {
+  if (command.ray.has_value() == command.rays_file.empty()) return;
+  throw UsageError(command.ray ? "--ray and --rays do not go together" : "a ray is missing",
+                   "--ray 0,0,5,0,0,-1 goes down the z axis; --rays FILE reads one from each line");
+}
+
 struct Verb {
   std::string name;
   std::string summary;
@@ -224,13 +249,15 @@ Command parse_as(const Verb& verb, Strings arguments) {
   } catch (const CLI::ParseError& error) {
     throw usage_error(error, app);
   }
+  check_together(command);
   return command;
 }
 
-const std::array<Verb, 4>& verbs() {
-  static const std::array<Verb, 4> all = {{
+const std::array<Verb, 5>& verbs() {
+  static const std::array<Verb, 5> all = {{
       {"render", "make a picture of a scene or a mesh", parse_as<RenderCommand>},
       {"check", "say what a scene holds and what is wrong with it", parse_as<CheckCommand>},
+      {"probe", "list every surface along a ray, as JSON", parse_as<ProbeCommand>},
       {"compare", "print how far a picture is from a reference", parse_as<CompareCommand>},
       {"help", "explain the nodes of the scene language", parse_as<HelpCommand>},
   }};
@@ -256,7 +283,7 @@ UsageError unknown_verb(const std::string& name) {
   const std::string suggestion = schema::did_you_mean(name, names);
   return UsageError(
       fmt::format("unknown verb '{}'", name),
-      suggestion.empty() ? "the verbs are render, check, compare and help" : suggestion);
+      suggestion.empty() ? "the verbs are render, check, probe, compare and help" : suggestion);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "image/compare.h"
 #include "import/mesh_file.h"
+#include "math/vec.h"
 
 namespace lapidary::app {
 
@@ -45,6 +46,17 @@ struct CheckCommand {
   SceneArguments scene;
 };
 
+/// lapidary probe
+struct ProbeCommand {
+  /// Six numbers as the user wrote them: origin and direction.
+  struct Ray {
+    Vec3d origin, direction;
+  };
+  SceneArguments scene;
+  std::optional<Ray> ray;  ///< --ray
+  std::string rays_file;   ///< --rays; either the one or the other is given
+};
+
 /// lapidary compare
 struct CompareCommand {
   std::string image;
@@ -62,7 +74,8 @@ struct ShowText {
   std::string text;
 };
 
-using Command = std::variant<RenderCommand, CheckCommand, CompareCommand, HelpCommand, ShowText>;
+using Command =
+    std::variant<RenderCommand, CheckCommand, ProbeCommand, CompareCommand, HelpCommand, ShowText>;
 
 /// The command line makes no sense.
 class UsageError : public std::runtime_error {

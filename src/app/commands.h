@@ -9,6 +9,7 @@ namespace lapidary::app {
 /// UsageError for a wrong option that only shows once input has been read.
 ExitCode run(const RenderCommand& command);
 ExitCode run(const CheckCommand& command);
+ExitCode run(const ProbeCommand& command);
 ExitCode run(const CompareCommand& command);
 ExitCode run(const HelpCommand& command);
 ExitCode run(const ShowText& command);

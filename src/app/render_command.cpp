@@ -15,6 +15,7 @@
 #include "image/image_io.h"
 #include "image/output_file.h"
 #include "inspect/averted_lights.h"
+#include "inspect/solid_warnings.h"
 #include "render/render.h"
 #include "scene/build.h"
 
@@ -151,6 +152,8 @@ ExitCode run(const RenderCommand& command) {
 
   const scene::Scene scene = scene::build(description, {statistics.size, pool, warnings});
   inspect::warn_about_averted_lights(description, warnings);
+  inspect::warn_about_empty_solids(description, scene, warnings);
+  inspect::warn_about_buried_camera(description, scene, warnings);
   statistics.scene = scene.counts();
   statistics.seconds.build = clock.lap();
   print_warnings(warnings.take());

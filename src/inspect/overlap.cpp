@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "geometry/placed_solid.h"
+#include "geometry/sweep.h"
 #include "geometry/triangle_mesh.h"
 
 namespace lapidary::inspect {
@@ -19,9 +20,10 @@ constexpr std::size_t line_count = lines_per_side * lines_per_side;
 /// Lines along z over a rectangle, off the regular places where edges of people's models lie.
 struct LineGrid {
   double x0, y0, dx, dy;
+  double bottom;  ///< least z of interest
 
   explicit LineGrid(const Box3d& box)
-      : x0(box.min.x), y0(box.min.y), dx(box.extent().x), dy(box.extent().y) {}
+      : x0(box.min.x), y0(box.min.y), dx(box.extent().x), dy(box.extent().y), bottom(box.min.z) {}
 
   static double place(int i) { return (i + 0.4142135) / lines_per_side; }
   double x(int i) const { return x0 + dx * place(i); }
@@ -104,9 +106,32 @@ void add_passages(const description::Mesh& mesh, const Transform& world_from_obj
   }
 }
 
+/// Passages above the bottom of the grid; lines count as being there before as they are there.
+void add_passages(const geometry::SolidScene& body, const LineGrid& grid, Passages& passages) {
+  for (int j = 0; j < lines_per_side; ++j) {
+    for (int i = 0; i < lines_per_side; ++i) {
+      const geometry::Ray ray{{grid.x(i), grid.y(j), grid.bottom}, {0, 0, 1}};
+      const auto line = static_cast<std::size_t>(j * lines_per_side + i);
+      geometry::Sweep sweep(body, ray);
+      geometry::Transition found;
+      std::vector<Passage>& of_line = passages.of_line[line];
+      while (sweep.next(found)) {
+        const bool enters = found.before == geometry::SolidScene::no_region;
+        if (of_line.empty()) passages.start[line] = enters ? 0 : 1;
+        of_line.push_back({grid.bottom + found.t, enters ? 1 : -1});
+      }
+      if (of_line.empty()) {
+        passages.start[line] = sweep.region() == geometry::SolidScene::no_region ? 0 : 1;
+      }
+    }
+  }
+}
+
 Passages passages_of(const Body& body, const LineGrid& grid) {
   Passages passages;
-  if (const auto* solid = std::get_if<geometry::Solid>(&body.object->content)) {
+  if (body.combined != nullptr) {
+    add_passages(*body.combined, grid, passages);
+  } else if (const auto* solid = std::get_if<geometry::Solid>(&body.object->content)) {
     add_passages(geometry::PlacedSolid(*solid, body.world_from_object), grid, passages);
   } else if (const auto* mesh = std::get_if<description::Mesh>(&body.object->content)) {
     add_passages(*mesh, body.world_from_object, grid, passages);
@@ -156,6 +181,7 @@ bool overlap(const Body& a, const Body& b) {
 
 /// About how many lines or triangles it takes to find a body's passages.
 std::size_t work_of(const Body& body) {
+  if (body.combined != nullptr) return line_count * (1 + body.combined->leaf_count() / 16);
   const auto* mesh = std::get_if<description::Mesh>(&body.object->content);
   return mesh != nullptr ? mesh->triangles->triangles.size() : line_count;
 }

@@ -4,16 +4,19 @@
 #include <vector>
 
 #include "description/leaves.h"
+#include "geometry/solid_scene.h"
 #include "math/interval.h"
 
 namespace lapidary::inspect {
 
-/// Something with an inside: a solid, or a closed mesh.
+/// Something with an inside: a solid, a combination, or a closed mesh.
 struct Body {
   const description::Object* object = nullptr;
   Transform world_from_object;
   Box3d bounds;           ///< in the world; may be infinite
   std::size_t index = 0;  ///< what the caller calls it
+  /// Of what is combined of several: its only region, in the world; else null.
+  const geometry::SolidScene* combined = nullptr;
 };
 
 /// Two bodies that share a part of their insides.

@@ -1,46 +1,18 @@
 #include "inspect/report.h"
 
+#include <algorithm>
 #include <map>
+#include <memory>
 #include <variant>
 
 #include "description/leaves.h"
 #include "description/solids.h"
+#include "inspect/lone_body.h"
+#include "inspect/naming.h"
+#include "scene/assemble.h"
 
 namespace lapidary::inspect {
 namespace {
-
-struct KindOf {
-  std::string operator()(const geometry::Solid& solid) const { return std::visit(*this, solid); }
-  std::string operator()(const geometry::Sheet& sheet) const { return std::visit(*this, sheet); }
-  std::string operator()(const description::Mesh&) const { return "mesh"; }
-  std::string operator()(const std::shared_ptr<const description::Group>&) const { return "group"; }
-  std::string operator()(const description::Combination& combination) const {
-    switch (combination.operation()) {
-      case description::SetOperation::unite:
-        return "union";
-      case description::SetOperation::intersect:
-        return "intersection";
-      case description::SetOperation::complement:
-        return "complement";
-      case description::SetOperation::subtract:
-      case description::SetOperation::section:
-        break;
-    }
-    return "difference";
-  }
-  std::string operator()(const geometry::Sphere&) const { return "sphere"; }
-  std::string operator()(const geometry::Box&) const { return "box"; }
-  std::string operator()(const geometry::Cylinder&) const { return "cylinder"; }
-  std::string operator()(const geometry::Cone&) const { return "cone"; }
-  std::string operator()(const geometry::Torus&) const { return "torus"; }
-  std::string operator()(const geometry::Quadric&) const { return "quadric"; }
-  std::string operator()(const geometry::HalfSpace&) const { return "half-space"; }
-  std::string operator()(const geometry::MeshBody&) const { return "mesh"; }
-  std::string operator()(const geometry::Polyhedron&) const { return "polyhedron"; }
-  std::string operator()(const geometry::Prism&) const { return "prism"; }
-  std::string operator()(const geometry::Rectangle&) const { return "rectangle"; }
-  std::string operator()(const geometry::Disk&) const { return "disk"; }
-};
 
 /// Looks at every mesh once, however often it is used.
 class Closures {
@@ -67,7 +39,7 @@ struct KindOfLight {
 ObjectReport report_on(const description::Leaf& leaf, Closures& closures) {
   ObjectReport report;
   report.name = leaf.name;
-  report.kind = std::visit(KindOf{}, leaf.object.content);
+  report.kind = kind_of(leaf.object);
   report.where = leaf.object.where.location();
   report.measure = measure(leaf);
   report.worn = worn_by(leaf);
@@ -83,19 +55,88 @@ ObjectReport report_on(const description::Leaf& leaf, Closures& closures) {
   return report;
 }
 
+bool is_combined(const description::Leaf& leaf) {
+  return leaf.object.combination() != nullptr || !leaf.removed.empty();
+}
+
+/// Looks at combinations as far as there are not too many.
+class Combinations {
+ public:
+  Combinations(const description::SceneDescription& scene, ThreadPool& pool) : pool_(pool) {
+    std::size_t count = 0;
+    description::for_each_leaf(scene.objects,
+                               [&](const description::Leaf& leaf) { count += is_combined(leaf); });
+    budget_.crossings = total_crossings / std::clamp<std::size_t>(count, 1, most_bodies);
+  }
+
+  /// Null if there are too many.
+  const geometry::SolidScene* look_at(const description::Leaf& leaf, ObjectReport& report) {
+    const std::size_t operands = description::operand_count(leaf.object);
+    if (bodies_.size() == most_bodies || operands > most_operands - operands_) return nullptr;
+    operands_ += operands;
+    bodies_.push_back(std::make_unique<const geometry::SolidScene>(lone_body(leaf)));
+    const geometry::SolidScene& body = *bodies_.back();
+    CombinationReport& combination = report.combination.emplace();
+    combination.bounds = body.bounds(0);
+    combination.operands = examine_operands(body);
+    const bool unbounded = !combination.bounds.empty() && !combination.bounds.bounded();
+    if (!unbounded) combination.size = measure_by_lines(body, budget_, pool_);
+    return &body;
+  }
+
+ private:
+  // Some seconds, and a few hundred megabytes.
+  static constexpr std::size_t total_crossings = std::size_t{1} << 23;
+  static constexpr std::size_t most_bodies = 1000;
+  static constexpr std::size_t most_operands = std::size_t{1} << 21;
+
+  ThreadPool& pool_;
+  LineBudget budget_;
+  std::size_t operands_ = 0;
+  std::vector<std::unique_ptr<const geometry::SolidScene>> bodies_;
+};
+
+/// Bodies whose overlaps nobody means: opaque ones, those of one priority together.
+class OpaqueBodies {
+ public:
+  void add(const description::Leaf& leaf, const Body& body) {
+    if (description::as_glass(*scene::filling_of(leaf)) != nullptr) return;
+    by_priority_[leaf.priority].push_back(body);
+  }
+
+  OverlapSearch find_overlaps() {
+    OverlapSearch all;
+    for (auto& [priority, bodies] : by_priority_) {
+      const OverlapSearch search = inspect::find_overlaps(std::move(bodies));
+      all.overlaps.insert(all.overlaps.end(), search.overlaps.begin(), search.overlaps.end());
+      all.complete = all.complete && search.complete;
+    }
+    std::ranges::sort(all.overlaps, {},
+                      [](const Overlap& o) { return std::pair(o.first, o.second); });
+    return all;
+  }
+
+ private:
+  std::map<std::int32_t, std::vector<Body>> by_priority_;
+};
+
 }  // namespace
 
-SceneReport inspect(const description::SceneDescription& scene) {
+SceneReport inspect(const description::SceneDescription& scene, ThreadPool& pool) {
   SceneReport report;
   Closures closures;
-  std::vector<Body> bodies;
+  Combinations combinations(scene, pool);
+  OpaqueBodies bodies;
   description::for_each_leaf(scene.objects, [&](const description::Leaf& leaf) {
-    const ObjectReport& surface = report.surfaces.emplace_back(report_on(leaf, closures));
-    // Whether combinations overlap others takes more than is known here.
-    if (surface.closed && !leaf.object.combination() && leaf.removed.empty()) {
-      bodies.push_back({&leaf.object, leaf.world_from_object, surface.measure.bounds,
-                        report.surfaces.size() - 1});
+    ObjectReport& surface = report.surfaces.emplace_back(report_on(leaf, closures));
+    Body body{&leaf.object, leaf.world_from_object, surface.measure.bounds,
+              report.surfaces.size() - 1};
+    if (is_combined(leaf)) {
+      body.combined = combinations.look_at(leaf, surface);
+      if (body.combined) body.bounds = surface.combination->bounds;
+      if (!body.combined) ++report.unmeasured;
     }
+    if (surface.closed && (body.combined || !is_combined(leaf))) bodies.add(leaf, body);
     report.lights += surface.worn.glow == Glow::none ? 0 : 1;
     if (surface.worn.glow == Glow::whole) return;
     ++report.objects;
@@ -107,7 +148,7 @@ SceneReport inspect(const description::SceneDescription& scene) {
         {std::visit(KindOfLight{}, light.model), light.where.location()});
   }
   report.lights += scene.lights.size();
-  report.overlaps = find_overlaps(std::move(bodies));
+  report.overlaps = bodies.find_overlaps();
   return report;
 }
 

@@ -83,7 +83,9 @@ struct Filling {
   }
 };
 
-/// What fills `leaf`, whose parts wear what it does where they wear nothing themselves.
+}  // namespace
+
+// Parts wear what the leaf does where they wear nothing themselves.
 const MaterialPtr& filling_of(const Leaf& leaf) {
   if (leaf.interior) return leaf.interior;
   if (leaf.object.material || !leaf.object.combination()) return leaf.material;
@@ -111,6 +113,8 @@ const MaterialPtr& filling_of(const Leaf& leaf) {
   }
   return filling.material ? *filling.material : leaf.material;
 }
+
+namespace {
 
 /// Which uses of a combination are alike but for their places.
 struct Design {
@@ -263,6 +267,15 @@ std::optional<std::uint32_t> Assembler::assembly_of(const Leaf& leaf) {
 }
 
 }  // namespace
+
+geometry::SolidScene::Parts geometry_parts(Solids&& solids) {
+  geometry::SolidScene::Parts parts;
+  parts.expression = std::move(solids.expression);
+  parts.assemblies = std::move(solids.assemblies);
+  parts.instances = std::move(solids.instances);
+  for (const SolidRegion& region : solids.regions) parts.regions.push_back(region.region);
+  return parts;
+}
 
 Solids assemble(const description::SceneDescription& scene, std::size_t most) {
   return Assembler(scene, most).assemble();

@@ -3,8 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "description/leaves.h"
 #include "description/scene_description.h"
-#include "geometry/expression.h"
+#include "geometry/solid_scene.h"
 
 namespace lapidary::scene {
 
@@ -53,5 +54,11 @@ struct Solids {
 /// fills the whole, where a solid of several leaves is to give light, or where there are more than
 /// `most` leaves.
 Solids assemble(const description::SceneDescription& scene, std::size_t most = most_leaves);
+
+/// What a world is built of, without what only the scene understands.
+geometry::SolidScene::Parts geometry_parts(Solids&& solids);
+
+/// What fills a solid or mesh, as `assemble` says. Throws Error as it does.
+const description::MaterialPtr& filling_of(const description::Leaf& leaf);
 
 }  // namespace lapidary::scene

@@ -98,12 +98,9 @@ void Builder::add_solids(Solids&& solids) {
   }
   for (const SolidRegion& region : solids.regions) {
     parts_.region_fillings.push_back({region.region.medium, region.region.priority, region.object});
-    world_.solids.regions.push_back(region.region);
     add_light_of(region, solids.expression);
   }
-  world_.solids.expression = std::move(solids.expression);
-  world_.solids.assemblies = std::move(solids.assemblies);
-  world_.solids.instances = std::move(solids.instances);
+  world_.solids = geometry_parts(std::move(solids));
 }
 
 void Builder::add_light_of(const SolidRegion& region, const geometry::Expression& expression) {

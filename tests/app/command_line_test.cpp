@@ -67,6 +67,23 @@ TEST(CommandLine, ReadsACompareCommand) {
   EXPECT_EQ(c.options.crop->height, 40);
 }
 
+TEST(CommandLine, ReadsAProbeCommand) {
+  const auto c = parse<ProbeCommand>({"probe", "a.lua", "--ray", "1, -2e3,3\t4 5 ,.6"});
+  ASSERT_TRUE(c.ray);
+  EXPECT_EQ(c.ray->origin, Vec3d(1, -2000, 3));
+  EXPECT_EQ(c.ray->direction, Vec3d(4, 5, 0.6));
+  EXPECT_EQ(parse<ProbeCommand>({"probe", "a.lua", "--rays", "r.txt"}).rays_file, "r.txt");
+  for (const char* ray :
+       {"", "1,2,3,4,5", "1,2,3,4,5,6,7", "0,0,0,0,0,0", "a,b,c,d,e,f", "1,2,3,4,5,6x",
+        "1,2,3,4,5,6,", ",1,2,3,4,5,6", "1,,2,3,4,5,6", "1,2,3,4,5,nan", "1,2,3,4,5,inf",
+        "0,0,0,1e-300,0,0", "1e200,0,0,1,0,0", "1,2,3,4-5,6", "1,2,3,4,5,1e999"}) {
+    EXPECT_THAT(problem_of({"probe", "a.lua", "--ray", ray}), HasSubstr("--ray takes")) << ray;
+  }
+  EXPECT_EQ(problem_of({"probe", "a.lua"}), "a ray is missing");
+  EXPECT_THAT(problem_of({"probe", "a.lua", "--ray", "0,0,0,0,0,1", "--rays", "b"}),
+              HasSubstr("do not go together"));
+}
+
 TEST(CommandLine, SaysWhatIsWrong) {
   EXPECT_EQ(problem_of({}), "a verb is missing");
   EXPECT_EQ(problem_of({"paint"}), "unknown verb 'paint'");
@@ -91,7 +108,7 @@ TEST(CommandLine, SaysWhatIsWrong) {
 }
 
 TEST(CommandLine, EveryVerbExplainsItself) {
-  for (const char* verb : {"render", "check", "compare", "help"}) {
+  for (const char* verb : {"render", "check", "probe", "compare", "help"}) {
     const auto text = help_of_verb(verb);
     ASSERT_TRUE(text) << verb;
     EXPECT_THAT(*text, HasSubstr(std::string("lapidary ") + verb));

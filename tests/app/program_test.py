@@ -5,8 +5,10 @@ usage: program_test.py PATH/TO/lapidary [unittest's arguments]
 """
 
 import json
+import math
 import os
 import pathlib
+import re
 import signal
 import struct
 import subprocess
@@ -83,7 +85,7 @@ def png_size(path):
 class Help(ProgramTest):
     def test_lists_verbs_and_nodes(self):
         text = self.succeed("help").stdout
-        for word in ("render", "check", "compare", "sphere", "glass", "perspective"):
+        for word in ("render", "check", "probe", "compare", "sphere", "glass", "perspective"):
             self.assertIn(word, text)
         self.assertEqual(text, self.succeed("--help").stdout)
 
@@ -349,9 +351,113 @@ class Check(ProgramTest):
             self.assertTrue(warning.startswith("warning: up.lua:2: the light faces away"), warning)
             self.assertNotIn("warning", self.succeed(verb, "down.lua").stderr)
 
+    def test_measures_combinations(self):
+        self.write("scene.lua", "return scene { objects = { (box { size = {2, 2, 2} } - sphere {} "
+                                "- sphere { center = {9, 0, 0} }):name 'worn' } }")
+        text = self.succeed("check", "scene.lua").stdout
+        row = re.search(r"difference +0  yes +(\S+) ±(\S+) +(\S+) ±(\S+)  'worn'", text)
+        area, area_error, volume, volume_error = map(float, row.groups())
+        self.assertAlmostEqual(area, 24 + 4 * math.pi, delta=0.04 + 4 * area_error)
+        self.assertAlmostEqual(volume, 8 - 4 / 3 * math.pi, delta=0.004 + 4 * volume_error)
+        self.assertIn("3 operands, 1 of them clipped away; from {-1, -1, -1} to {1, 1, 1}", text)
+
+    def test_names_operands_that_do_nothing(self):
+        self.write("scene.lua", "return scene { objects = { box { size = {2, 2, 2} } + "
+                                "sphere { radius = 0.5 } } }")
+        self.assertIn("operands that add no surface, by 256 lines each: 1 (sphere)\n",
+                      self.succeed("check", "scene.lua").stdout)
+
+    def test_overlaps_count_between_opaque_bodies(self):
+        self.write("scene.lua", "local a = box { size = {2, 2, 2} } - sphere { radius = 0.9 }\n"
+                                "local core = sphere { radius = %s }:material(%s):name 'core'\n"
+                                "return scene { objects = { a:name 'shell', core } }")
+        text = (self.folder / "scene.lua").read_text()
+        for radius, material, overlap in (("0.9", "matte {}", False), ("1.1", "matte {}", True),
+                                          ("1.1", "glass(1.5)", False)):
+            self.write("scene.lua", text % (radius, material))
+            shared = "share a part" in self.succeed("check", "scene.lua").stdout
+            self.assertEqual(shared, overlap, (radius, material))
+
+    def test_warns_of_what_is_empty_and_of_a_buried_camera(self):
+        self.write("scene.lua", "local cube = box { size = {2, 2, 2} }\n"
+                                "return scene { camera = perspective { from = {0, 0, 0}, "
+                                "at = {1, 0, 0} },\n objects = { cube - ~cube,\n"
+                                "(cube - cube):name 'gone' }, "
+                                "render = { size = {4, 4}, samples = 1 } }")
+        for verb in ("check", "render"):
+            errors = self.succeed(verb, "scene.lua").stderr
+            self.assertIn("warning: scene.lua:4: nothing is left of the difference 'gone'", errors)
+            self.assertRegex(errors, "warning: scene.lua:2: the camera stands inside of the "
+                                     "difference, which is opaque; .* ~box")
+            self.assertEqual(errors.count("warning"), 2, errors)
+
+    def test_a_camera_in_a_room_is_fine(self):
+        self.write("scene.lua", "return scene { camera = perspective { from = {0, 0, 0}, "
+                                "at = {1, 0, 0} }, objects = { ~box { size = {2, 2, 2} } } }")
+        self.assertEqual(self.succeed("check", "scene.lua").stderr, "")
+
     def test_refuses_what_a_renderer_refuses(self):
         self.write("bad.lua", "return scene { objects = { sphere { radius = -1 } } }")
         self.fail_with(3, "check", "bad.lua")
+
+
+class Probe(ProgramTest):
+    SCENE = """
+    local hole = cylinder { from = {0, 0, -5}, to = {0, 0, 5}, radius = 0.5 }
+    return scene { objects = {
+      (box { size = {4, 2, 2} } - hole):name 'plate',
+      sphere { center = {5, 0, 0}, radius = 1, material = glass "N-BK7", name = "ball" },
+      disk { center = {7, 0, 0}, normal = {-1, 0, 0}, radius = 1, name = "screen" } } }
+    """
+
+    def hits(self, *arguments):
+        return [json.loads(line)["hits"]
+                for line in self.succeed("probe", *arguments).stdout.splitlines()]
+
+    def test_lists_every_surface_along_a_ray(self):
+        self.write("a.lua", self.SCENE)
+        hits = self.hits("a.lua", "--ray", "-10,0,0,2,0,0")[0]
+        self.assertEqual(hits[0], {
+            "t": 4, "object": "plate", "leaf": 0, "kind": "box", "normal": [-1, 0, 0],
+            "enter": True, "medium_before": "outside", "medium_after": "plate"})
+        self.assertEqual([h["t"] for h in hits], [4, 4.75, 5.25, 6, 7, 8, 8.5])
+        self.assertEqual([h["enter"] for h in hits], [True, False, True, False, True, False, True])
+        self.assertEqual([h["leaf"] for h in hits], [0, 1, 1, 0, 0, 0, 0])
+        self.assertEqual(hits[4]["medium_after"], "N-BK7")
+        self.assertEqual(hits[6], {
+            "t": 8.5, "object": "screen", "leaf": 0, "kind": "disk", "normal": [-1, 0, 0],
+            "enter": True, "medium_before": "outside", "medium_after": "outside"})
+
+    def test_reads_many_rays(self):
+        self.write("a.lua", self.SCENE)
+        self.write("rays.txt", "0 0 9 0 0 -1\n\n-10,0,0,1,0,0\r\n  1 0 9  0 0 -3")
+        hits = self.hits("a.lua", "--rays", "rays.txt")
+        self.assertEqual([len(h) for h in hits], [0, 7, 2])
+        self.assertEqual(self.succeed("probe", "a.lua", "--ray", "0,0,9,0,0,-1").stdout,
+                         '{"hits":[]}\n')
+
+    def test_a_bare_mesh_stands_in_no_studio(self):
+        self.write("shape.obj", TETRAHEDRON)
+        hits = self.hits("shape.obj", "--up", "z", "--ray", "0.2,0.2,9,0,0,-1")[0]
+        self.assertEqual([h["kind"] for h in hits], ["triangle"] * 2)
+        self.assertAlmostEqual(hits[0]["t"], 9 - 0.6, 6)
+        self.assertAlmostEqual(hits[1]["t"], 9, 6)
+
+    def test_bad_rays_get_one_clear_error(self):
+        self.write("a.lua", self.SCENE)
+        for ray in ("1,2,3,4,5", "1,2,3,0,0,0", "up", "", "1,2,3,4,5,nan"):
+            self.assertIn("--ray takes", self.fail_with(2, "probe", "a.lua", "--ray", ray))
+        self.fail_with(2, "probe", "a.lua")
+        self.write("r.txt", "0 0 0 0 0 1\n")
+        self.fail_with(2, "probe", "a.lua", "--ray", "0,0,0,0,0,1", "--rays", "r.txt")
+        self.fail_with(3, "probe", "gone.lua", "--ray", "0,0,0,0,0,1")
+        for text, where in (("", "r.txt: "), (" \n\n", "r.txt: "), ("hello", "r.txt:1: "),
+                            ("0 0 0 0 0 1\n\n1 2 3 4 5\n", "r.txt:3: "),
+                            ("0 0 0 0 0 1\n0 0 0 0 0 0", "r.txt:2: ")):
+            self.write("r.txt", text)
+            self.assertIn("error: " + where, self.fail_with(3, "probe", "a.lua", "--rays", "r.txt"))
+        self.fail_with(3, "probe", "a.lua", "--rays", "gone.txt")
+        self.fail_with(3, "probe", "a.lua", "--rays", ".")
 
 
 class Interrupt(ProgramTest):

@@ -7,6 +7,8 @@
 namespace lapidary::inspect {
 namespace {
 
+ThreadPool pool(2);
+
 TEST(Report, CountsWhatIsThere) {
   description::SceneDescription scene;
   const auto cube = shared(cube_mesh());
@@ -16,7 +18,7 @@ TEST(Report, CountsWhatIsThere) {
                    glowing(make_object(geometry::Sphere{{0, 0, 9}, 1}))};
   scene.lights.push_back({description::DistantLight{}, {}});
   scene.lights.push_back({description::ConstantEnvironment{}, {}});
-  const SceneReport report = inspect(scene);
+  const SceneReport report = inspect(scene, pool);
   ASSERT_EQ(report.surfaces.size(), 5u);
   EXPECT_EQ(report.surfaces[0].kind, "sphere");
   EXPECT_EQ(report.surfaces[1].kind, "mesh");
@@ -43,7 +45,7 @@ TEST(Report, AMeshOfWhichAPartGlowsIsObjectAndLight) {
   mesh.materials = {nullptr, emissive()};
   description::SceneDescription scene;
   scene.objects = {make_object(mesh)};
-  const SceneReport report = inspect(scene);
+  const SceneReport report = inspect(scene, pool);
   EXPECT_EQ(report.objects, 1u);
   EXPECT_EQ(report.lights, 1u);
   EXPECT_EQ(report.triangles, 12u);
@@ -57,7 +59,7 @@ TEST(Report, ACombinationIsOneObjectOfManyOperands) {
   scene.objects = {
       drilled, combined(description::SetOperation::intersect, drilled, complemented(hole, {}), {}),
       with_section(ball, hole)};
-  const SceneReport report = inspect(scene);
+  const SceneReport report = inspect(scene, pool);
   ASSERT_EQ(report.surfaces.size(), 3u);
   EXPECT_EQ(report.surfaces[0].kind, "difference");
   EXPECT_EQ(report.surfaces[1].kind, "intersection");
@@ -85,7 +87,7 @@ TEST(Report, AnOpenMeshHasNoVolume) {
   open.triangles.pop_back();
   description::SceneDescription scene;
   scene.objects = {make_object(shared(open))};
-  const ObjectReport object = inspect(scene).surfaces.at(0);
+  const ObjectReport object = inspect(scene, pool).surfaces.at(0);
   EXPECT_FALSE(object.closed);
   EXPECT_FALSE(object.measure.volume);
   EXPECT_EQ(object.closure.value().open_edges, 3u);

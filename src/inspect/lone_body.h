@@ -1,0 +1,14 @@
+#pragma once
+
+#include "description/leaves.h"
+#include "geometry/solid_scene.h"
+
+namespace lapidary::inspect {
+
+/// A solid or combination of the scene where it stands, with its own sections and nothing else: the
+/// one region of the result. What the section of the whole scene takes away it has.
+///
+/// Throws Error where a mesh among its operands encloses nothing.
+geometry::SolidScene lone_body(const description::Leaf& leaf);
+
+}  // namespace lapidary::inspect
