@@ -2,7 +2,7 @@
 --
 --   lapidary render gem.lua
 --   lapidary render gem.lua --set pavilion=38        too flat: a dull ring, a fish eye
---   lapidary render gem.lua --set stone=1.5          the same of window glass
+--   lapidary render gem.lua --set stone=N-BK7        the same of window glass
 --
 -- A facet is ground by holding the stone against a wheel: it takes away all that is on the far side
 -- of a plane. So the stone is what lies below 57 planes and in a round bar, its girdle. Three
@@ -10,7 +10,7 @@
 --
 -- Fire is dispersion of small bright lights: hence the many panels, and the dark between them.
 
-local stone = param("stone", "diamond") -- a glass that `lapidary help glass` lists, or an index
+local stone = param("stone", "diamond") -- a glass that `lapidary help glass` lists
 
 -- Degrees between facets and girdle; the others are shares of the girdle's radius or, for
 -- the lengths of facets, of the way they have between table and girdle or girdle and culet.

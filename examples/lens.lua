@@ -10,7 +10,7 @@
 -- into the sheet: of all that overlap, the one of the greatest priority is there.
 
 local thickness = param("thickness", 0.34)
-local kind = param("glass", "N-BK7") -- a glass that `lapidary help glass` lists, or an index
+local kind = param("glass", "N-BK7") -- a glass that `lapidary help glass` lists
 
 -- Balls of a radius such that the lens has a radius of 1 where they meet.
 local ball_radius = (1 + (thickness / 2) ^ 2) / thickness
