@@ -71,12 +71,12 @@ void print_more(std::size_t total) {
 
 void print_objects(const SceneReport& report) {
   if (report.objects == 0) return;
-  fmt::print("\n  {:<12}{:>10}  {:<12}{:>17}{:>17}  {}\n", "kind", "triangles", "closed", "area",
+  fmt::print("\n  {:<12}{:>10}  {:<12}{:>17}  {:>17}  {}\n", "kind", "triangles", "closed", "area",
              "volume", "object");
   std::size_t count = 0;
   for (const ObjectReport& object : report.surfaces) {
     if (object.worn.glow == Glow::whole || ++count > longest_list) continue;
-    fmt::print("  {:<12}{:>10}  {:<12}{:>17}{:>17}  {}\n", object.kind, object.triangles,
+    fmt::print("  {:<12}{:>10}  {:<12}{:>17}  {:>17}  {}\n", object.kind, object.triangles,
                closed_text(object), area_text(object), volume_text(object), label(object));
   }
   print_more(count);

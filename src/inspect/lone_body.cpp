@@ -1,10 +1,17 @@
 #include "inspect/lone_body.h"
 
+#include <variant>
+
 #include "scene/assemble.h"
 
 namespace lapidary::inspect {
 
 using description::ObjectPtr;
+
+bool is_combined(const description::Leaf& leaf) {
+  if (std::holds_alternative<geometry::Sheet>(leaf.object.content)) return false;
+  return leaf.object.combination() != nullptr || !leaf.removed.empty();
+}
 
 geometry::SolidScene lone_body(const description::Leaf& leaf) {
   description::Object standing = leaf.object;

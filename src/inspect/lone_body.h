@@ -5,6 +5,9 @@
 
 namespace lapidary::inspect {
 
+/// Whether it is a solid made of several: a combination, or what a section cuts; sheets are not.
+bool is_combined(const description::Leaf& leaf);
+
 /// A solid or combination of the scene where it stands, with its own sections and nothing else: the
 /// one region of the result. What the section of the whole scene takes away it has.
 ///

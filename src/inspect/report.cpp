@@ -55,10 +55,6 @@ ObjectReport report_on(const description::Leaf& leaf, Closures& closures) {
   return report;
 }
 
-bool is_combined(const description::Leaf& leaf) {
-  return leaf.object.combination() != nullptr || !leaf.removed.empty();
-}
-
 /// Looks at combinations as far as there are not too many.
 class Combinations {
  public:

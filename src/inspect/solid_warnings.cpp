@@ -27,9 +27,8 @@ std::string described(const Leaf& leaf) {
 
 std::vector<bool> combined_objects(const description::SceneDescription& scene) {
   std::vector<bool> combined;
-  description::for_each_leaf(scene.objects, [&](const Leaf& leaf) {
-    combined.push_back(leaf.object.combination() != nullptr || !leaf.removed.empty());
-  });
+  description::for_each_leaf(scene.objects,
+                             [&](const Leaf& leaf) { combined.push_back(is_combined(leaf)); });
   return combined;
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "objects.h"
+#include "scene/build.h"
 #include "support/random.h"
 
 namespace lapidary::inspect {
@@ -137,13 +138,51 @@ TEST(Probe, CountsLeavesOfInstancesAsWritten) {
   }
 }
 
+TEST(Probe, BeginsWithTheSurfaceThatARendererFinds) {
+  test::Random random(11);
+  const auto number = [&] { return random.uniform(-3, 3); };
+  std::vector<ObjectPtr> objects;
+  for (int i = 0; i < 12; ++i) {
+    const Transform place = Transform::translation({number(), number(), number()}) *
+                            Transform::rotation(random.direction(), number());
+    const auto ball = make_object(geometry::Sphere{{0.5, 0, 0}, 0.6}, place);
+    objects.push_back(
+        combined(SetOperation::subtract, make_object(geometry::Box{}, place), ball, {}));
+    objects.push_back(make_object(shared(cube_mesh()), place * Transform::scaling({0.9, -1, 2})));
+    objects.push_back(make_object(geometry::Disk{}, place));
+  }
+  auto scene = scene_of(objects);
+  const Probe probe(scene);
+  scene.camera.emplace();
+  ThreadPool pool(1);
+  WarningLog warnings;
+  const scene::Scene built = scene::build(scene, {scene.render.size, pool, warnings});
+  int met = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const geometry::Ray ray{{number(), number(), number()}, random.direction() * 2.0};
+    const geometry::Hit hit = built.world().nearest(ray);
+    const auto hits = probe.along(ray.origin, ray.direction);
+    ASSERT_EQ(hits.empty(), hit.kind == geometry::SurfaceKind::none);
+    if (hits.empty()) continue;
+    ++met;
+    const geometry::Surface surface = built.world().surface(ray, hit);
+    EXPECT_NEAR(hits[0].t, hit.t, 1e-5) << "Embree works in float";
+    EXPECT_LT(length(hits[0].normal - surface.geometric_normal), 1e-6);
+    EXPECT_TRUE(std::ranges::is_sorted(hits, {}, &ProbeHit::t));
+  }
+  EXPECT_GT(met, 1000);
+}
+
 /// Lines aimed at vertices, along edges and diagonals of faces.
 TEST(Probe, ClosedMeshesAreCrossedAnEvenNumberOfTimes) {
   const Probe probe(scene_of({make_object(shared(cube_mesh()), Transform::scaling({2, 2, -2}))}));
   test::Random random(5);
   for (int i = 0; i < 20000; ++i) {
     const auto grid = [&] { return static_cast<double>(random.index(9)) - 4.0; };
-    const Vec3d from{grid(), grid(), 20}, to{grid() / 4, grid() / 4, grid() / 4};
+    const Vec3d to{grid() / 4, grid() / 4, grid() / 4};
+    // Half of the directions are in ratios that are exact, so that ties are.
+    const auto half = [&] { return 0.5 * (static_cast<double>(random.index(5)) - 2.0); };
+    const Vec3d from = i % 2 == 0 ? Vec3d{grid(), grid(), 20} : to - Vec3d{half(), half(), 1} * 8.0;
     const auto hits = probe.along(from, to - from);
     ASSERT_EQ(hits.size() % 2, 0u) << from.x << " " << from.y << " to " << to.x << " " << to.y;
     for (std::size_t h = 0; h < hits.size(); ++h) {

@@ -72,6 +72,20 @@ TEST(Report, ACombinationIsOneObjectOfManyOperands) {
   EXPECT_FALSE(report.surfaces[2].measure.volume) << "of a part of the sphere";
 }
 
+TEST(Report, SectionsOfGroupsLeaveSheetsAlone) {
+  const auto group = description::make_group(
+      {make_object(geometry::Disk{}), make_object(geometry::Sphere{{}, 1})}, {});
+  description::SceneDescription scene;
+  scene.objects = {with_section(group, make_object(geometry::HalfSpace{}))};
+  const SceneReport report = inspect(scene, pool);
+  ASSERT_EQ(report.surfaces.size(), 2u);
+  EXPECT_FALSE(report.surfaces[0].combination);
+  ASSERT_TRUE(report.surfaces[1].combination);
+  const Estimate volume = report.surfaces[1].combination->size.value().volume;
+  const double half_ball = 2.0943951023931953;
+  EXPECT_NEAR(volume.value, half_ball, 1e-3 * half_ball + 3 * volume.standard_error);
+}
+
 TEST(Report, CombinationsCanGiveLight) {
   auto lamp = std::make_shared<description::Material>();
   lamp->model = description::Emissive{};
