@@ -159,8 +159,8 @@ bool Sweep::collect_group() {
   double widest_tau = 0.0, first_t = 0.0;
   while (!s_->queue.empty()) {
     const double key = s_->queue.top_key();
-    if (!s_->group.empty() && key > upper_) break;
-    if (key > t_max_) break;
+    // A group that began before the end of the ray is completed even beyond it.
+    if (key > (s_->group.empty() ? t_max_ : upper_)) break;
     const Entry next{key, s_->queue.top_value()};
     if (!next.is_event()) {
       s_->queue.pop();
