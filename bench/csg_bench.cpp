@@ -1,22 +1,17 @@
 // The CSG sweep: rays a second through models of many operands, one thread, a primary ray a pixel
-// and a shadow ray from each surface met; time and memory to build them.
+// and a shadow ray from each surface met; time and memory to build them. `--povray MODEL` writes
+// one of them as a scene for POV-Ray instead.
 
 #include <string>
 
 #include "csg_models.h"
+#include "povray_scene.h"
 #include "report.h"
 
 namespace {
 
 using namespace lapidary;
 using namespace lapidary::bench;
-
-struct View {
-  Vec3d from, at;
-  double angle;  ///< horizontal, degrees
-  double floor;  ///< height of the plane below
-  Vec3d light;
-};
 
 constexpr View of_plate{{0, 13, -13}, {0, 0.5, 0}, 50, 0, {-8, 20, -6}};
 constexpr View of_body{{2.6, 2.4, -4}, {0, 0, 0}, 42, -1.5, {-8, 20, -12}};
@@ -61,21 +56,32 @@ std::size_t trace(const geometry::World& world, const View& view) {
   return rays;
 }
 
-double mrays_per_core(const geometry::World& world, const View& view) {
+struct Model {
+  std::string name;
+  View view;
+  std::string_view target;  ///< in Mrays/s per core
+  Term (*build)(Expression&);
+};
+
+const Model models[]{
+    {"perforated.10", of_plate, ">=10", [](auto& e) { return perforated_plate(e, 5, 2); }},
+    {"perforated.1000", of_plate, ">=7", [](auto& e) { return perforated_plate(e, 40, 25); }},
+    {"perforated.100000", of_plate, ">=4", [](auto& e) { return perforated_plate(e, 400, 250); }},
+    {"menger.3", of_body, "-", [](auto& e) { return menger_sponge(e, 3); }},
+    {"menger.4", of_body, "-", [](auto& e) { return menger_sponge(e, 4); }},
+    {"tree.8", of_body, "-", [](auto& e) { return AlternatingTree(e, 8).build(); }},
+    {"tree.10", of_body, "-", [](auto& e) { return AlternatingTree(e, 10).build(); }},
+};
+
+void measure(const std::string& name, const geometry::World& world, const View& view,
+             std::string_view target) {
   std::size_t rays = 0;
   double best = infinity;
   for (int run = 0; run < 3; ++run) {
     best = std::min(best, cpu_seconds([&] { rays = trace(world, view); }));
   }
-  return static_cast<double>(rays) / best / 1e6;
-}
-
-void perforated(int columns, int rows, std::string_view target) {
-  Expression expression;
-  const Term plate = perforated_plate(expression, columns, rows);
-  const geometry::World world = world_of(std::move(expression), plate, of_plate);
-  report("csg.perforated." + std::to_string(columns * rows) + ".mrays_per_core",
-         mrays_per_core(world, of_plate), "M/s", target);
+  report("csg." + name + ".mrays_per_core", static_cast<double>(rays) / best / 1e6, "M/s", target);
+  report("csg." + name + ".picture_seconds", best, "s");
 }
 
 void million() {
@@ -84,34 +90,26 @@ void million() {
   std::optional<geometry::World> world;
   const double build =
       cpu_seconds([&] { world.emplace(world_of(std::move(expression), plate, of_plate)); });
-  report("csg.perforated.1000000.mrays_per_core", mrays_per_core(*world, of_plate), "M/s", ">=2.5");
+  measure("perforated.1000000", *world, of_plate, ">=2.5");
   report("csg.build.million_seconds", build, "s", "<=2");
   report("csg.bytes_per_operand", static_cast<double>(world->solids().bytes()) / 1e6, "B", "<=300");
 }
 
 }  // namespace
 
-/// With an argument, only models whose key contains it.
-int main(int argc, char** argv) {
-  const auto wanted = [&](std::string_view key) {
-    return argc < 2 || key.find(argv[1]) != std::string_view::npos;
-  };
-  if (wanted("perforated.10.")) perforated(5, 2, ">=10");
-  if (wanted("perforated.1000.")) perforated(40, 25, ">=7");
-  if (wanted("perforated.100000.")) perforated(400, 250, ">=4");
-  if (wanted("perforated.1000000.")) million();
-  for (const int level : {3, 4}) {
-    if (!wanted("menger." + std::to_string(level))) continue;
+int main(int count, char** arguments) {
+  const bool writes = count == 3 && arguments[1] == std::string_view("--povray");
+  for (const Model& model : models) {
     Expression expression;
-    const Term sponge = menger_sponge(expression, level);
-    report("csg.menger." + std::to_string(level) + ".mrays_per_core",
-           mrays_per_core(world_of(std::move(expression), sponge, of_body), of_body), "M/s");
+    const Term term = model.build(expression);
+    if (!writes) {
+      measure(model.name, world_of(std::move(expression), term, model.view), model.view,
+              model.target);
+    } else if (model.name == arguments[2]) {
+      fmt::print("{}", povray_scene(expression, term, model.view));
+      return 0;
+    }
   }
-  for (const int depth : {8, 10}) {
-    if (!wanted("tree." + std::to_string(depth))) continue;
-    Expression expression;
-    const Term tree = AlternatingTree(expression, depth).build();
-    report("csg.tree." + std::to_string(depth) + ".mrays_per_core",
-           mrays_per_core(world_of(std::move(expression), tree, of_body), of_body), "M/s");
-  }
+  if (writes) return 1;
+  million();
 }

@@ -30,7 +30,7 @@ Tally integers(std::uint64_t rays) {
       const IntRay ray = random.ray();
       const auto exact = model.transitions(ray);
       Truth truth;
-      truth.at_start = model.inside(ray, start_of(exact));
+      truth.at_start = model.inside(ray, just_behind_start());
       for (const Rational t : exact) truth.t.push_back(t.value());
       tally.count(judge(scene, ray_of(ray), truth, 1e-6));
     }

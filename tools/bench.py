@@ -10,6 +10,8 @@ import argparse
 import dataclasses
 import json
 import pathlib
+import resource
+import shutil
 import statistics
 import subprocess
 import sys
@@ -17,6 +19,7 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+PEERS = ("perforated.1000", "tree.8", "tree.10", "menger.4")  # models, quick ones first
 
 
 @dataclasses.dataclass(frozen=True)
@@ -76,6 +79,33 @@ def rows_of_command_line(build):
     yield "cli.help_start", 1e3 * statistics.median(start() for _ in range(21)), "ms", "<=30"
 
 
+def povray_seconds(scene, folder):
+    """Processor seconds that POV-Ray takes to trace a scene at 800x600 on one thread."""
+    (folder / "scene.pov").write_text(scene)
+
+    def seconds(width, height):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        subprocess.run(["povray", "+Iscene.pov", "+Oout.png", "+FN", f"+W{width}", f"+H{height}",
+                        "-A", "-D", "-V", "+WT1"], cwd=folder, check=True,
+                       stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+    return seconds(800, 600) - seconds(4, 3)  # less starting and parsing
+
+
+def rows_of_peers(build, table):
+    """How many times as long as ours POV-Ray takes for the same pictures."""
+    if shutil.which("povray") is None:
+        sys.exit("bench: --peers needs POV-Ray; Debian's packages are povray and povray-includes")
+    for model in PEERS:
+        scene = subprocess.run([build / "bench_csg", "--povray", model], check=True,
+                               stdout=subprocess.PIPE, text=True).stdout
+        with tempfile.TemporaryDirectory() as folder:
+            theirs = povray_seconds(scene, pathlib.Path(folder))
+        ours = table[f"csg.{model}.picture_seconds"]["value"]
+        yield f"csg.vs_povray.{model.replace('.', '_')}", theirs / ours, "x", "-"
+
+
 def meets(value, target):
     if target == "-":
         return True
@@ -103,16 +133,26 @@ def measure(build, wanted):
 def main():
     parser = argparse.ArgumentParser(prog="./dev bench", description="Measures, prints a table.")
     parser.add_argument("group", nargs="?", help="one group only, e.g. cornell")
+    parser.add_argument("--peers", action="store_true",
+                        help="group csg: also run POV-Ray on the same models, for minutes")
     parser.add_argument("--json", metavar="FILE", help="also write {key: {value, unit, target}}")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release",
                         help=argparse.SUPPRESS)
     arguments = parser.parse_args()
+    if arguments.peers and arguments.group not in (None, "csg"):
+        parser.error("--peers measures the group csg")
     table = {}
-    try:
-        for key, value, unit, target in measure(arguments.build, arguments.group):
+
+    def show(rows):
+        for key, value, unit, target in rows:
             note = "" if meets(value, target) else "  missed"
             print(f"{key:<32} {value:>12.4g}  {unit:<10} {target}{note}", flush=True)
             table[key] = {"value": value, "unit": unit, "target": target}
+
+    try:
+        show(measure(arguments.build, arguments.group))
+        if arguments.peers:
+            show(rows_of_peers(arguments.build, table))
     except subprocess.CalledProcessError as error:
         sys.exit(f"bench: {pathlib.Path(error.cmd[0]).name} ended with {error.returncode}")
     if arguments.json:

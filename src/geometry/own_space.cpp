@@ -7,6 +7,7 @@ OwnSpace::OwnSpace(const Transform& world_from_own)
       offset_(world_from_own.offset()),
       mapping_error_(frobenius_norm(inverse_error(own_from_world_, world_from_own.linear()))),
       gain_(frobenius_norm(own_from_world_) * (1 + 8 * rounding_unit)),
+      offset_error_(4 * rounding_unit * gain_ * one_norm(offset_)),
       world_from_own_(world_from_own) {}
 
 Vec3d OwnSpace::normal(Vec3d n) const {

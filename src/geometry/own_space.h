@@ -9,6 +9,10 @@ namespace lapidary::geometry {
 /// The coordinates in which something was made that stands in the world under an affine map, and
 /// the way there for lines. Their direction is not normalised, so t stays that of the world; what
 /// rounding does to them on the way is stated in the line.
+///
+/// The map counts as the product of maps that somebody stated, whose offset has 4 roundings of its
+/// own: what touches in a part still touches when the part is moved, though two solids of it reach
+/// the world by different products.
 class OwnSpace {
  public:
   explicit OwnSpace(const Transform& world_from_own);
@@ -18,7 +22,7 @@ class OwnSpace {
   Line line(const Line& world) const {
     const Vec3d from_offset = world.origin - offset_;
     return {own_from_world_ * from_offset, own_from_world_ * world.direction,
-            mapping_error_ * one_norm(from_offset) + gain_ * world.origin_error,
+            mapping_error_ * one_norm(from_offset) + gain_ * world.origin_error + offset_error_,
             mapping_error_ * one_norm(world.direction) + gain_ * world.direction_error};
   }
   Vec3d point(Vec3d world) const { return own_from_world_ * (world - offset_); }
@@ -38,6 +42,7 @@ class OwnSpace {
   Vec3d offset_;
   double mapping_error_;  ///< error of own_from_world_ * v as a multiple of |v|_1
   double gain_;           ///< bounds how much own_from_world_ lengthens a vector
+  double offset_error_;   ///< what the offset's own roundings come to in own coordinates
   Transform world_from_own_;
 };
 

@@ -73,7 +73,8 @@ bool Sweep::collect_events() {
   constexpr double widest = 8.0;
   while (!s_->queue.empty()) {
     const double key = s_->queue.top_key();
-    if ((!s_->group.empty() && key > upper_) || key > t_max_) break;
+    // A group that began before the end of the ray is completed even beyond it.
+    if (key > (s_->group.empty() ? t_max_ : upper_)) break;
     const Entry next{key, s_->queue.top_value(), s_->queue.top_exit()};
     if (!next.is_event()) {
       s_->queue.pop();

@@ -22,7 +22,7 @@ using Int = std::int64_t;  // ample: numerators and denominators stay below 1e5
 /// p / q with q > 0.
 struct Rational {
   Int p = 0, q = 1;
-  Rational(Int num = 0, Int den = 1) : p(den < 0 ? -num : num), q(den < 0 ? -den : den) {}
+  constexpr Rational(Int num = 0, Int den = 1) : p(den < 0 ? -num : num), q(den < 0 ? -den : den) {}
   friend bool operator<(const Rational& a, const Rational& b) { return a.p * b.q < b.p * a.q; }
   friend bool operator==(const Rational& a, const Rational& b) { return a.p * b.q == b.p * a.q; }
   double value() const { return static_cast<double>(p) / static_cast<double>(q); }
@@ -143,9 +143,9 @@ struct IntModel {
   }
 };
 
-/// Between zero and the first of the exact transitions.
-inline Rational start_of(const std::vector<Rational>& exact) {
-  return exact.empty() ? Rational(1, 1000) : Rational(exact[0].p, 2 * exact[0].q);
+/// Before every crossing at t > 0 of rays and leaves with coordinates this small.
+inline constexpr Rational just_behind_start() {
+  return {1, 1000};
 }
 
 /// Random trees over integer coordinates from so small a range that faces coincide all the time.

@@ -92,7 +92,7 @@ TEST(SweepRestart, OcclusionAgreesWithNearest) {
   Random& random = models.random();
   for (int i = 0; i < 100; ++i) {
     const CurvedModel model = models.model(3);
-    const Transform map = csg::odd_placement();
+    const Transform map = csg::odd_turn(1, {1e3, 1e3, -1e3});
     const World world = world_of(model.placed(map), model.root);
     CurvedOracle oracle(model, 1e-6);
     for (int j = 0; j < 20; ++j) {
@@ -104,7 +104,7 @@ TEST(SweepRestart, OcclusionAgreesWithNearest) {
       // Ends at crossings of the leaves, too, which need not be surfaces.
       for (const double t : oracle.crossings()) {
         Ray shadow = ray;
-        shadow.t_max = t * (1.0 + static_cast<double>(random.index(7)) * 1e-16 - 3e-16);
+        shadow.t_max = t * (1.0 + random.uniform(-1, 1) * random.magnitude(-16, -11));
         if (std::abs(shadow.t_max - nearest) < 1e-9) continue;
         ASSERT_EQ(world.occluded(shadow), nearest < shadow.t_max)
             << "body " << i << " ray " << j << " to " << shadow.t_max << ", nearest " << nearest;

@@ -51,5 +51,20 @@ TEST(Sweep, SeesNoSkinFromThePlaneOfCoincidentFaces) {
   }
 }
 
+// What is below z = 1 to within the rounding of its map, and a box on top of that: the one ends a
+// little before the other begins, and the shadow ray between.
+TEST(Sweep, SeesNoSkinAtTheEndOfTheRay) {
+  Expression expression;
+  const PlacedSolid ground(HalfSpace{{0, 0, -999.4}, {0, 0, 1}},
+                           Transform::translation({0, 0, std::nextafter(1000.4, 0.0)}));
+  const Term operands[]{expression.add(ground),
+                        expression.add(PlacedSolid(Box{{-1, -1, 1}, {1, 1, 2}}, {}))};
+  const Term body = expression.add(Operation::unite, operands);
+  const SolidScene scene = csg::body(std::move(expression), body);
+  Ray ray{{0.1, 0.2, 0}, {0, 0, 1}};
+  ray.t_max = 1 - 5e-14;
+  EXPECT_TRUE(sweep_all(scene, ray).empty());
+}
+
 }  // namespace
 }  // namespace lapidary::test
