@@ -43,7 +43,7 @@ class Probe::Media {
   void cross(std::uint32_t mesh, Crossing crossing) {
     depths_[mesh] += crossing == Crossing::enter ? 1 : -1;
   }
-  /// The medium here; `region` fills it of the solids.
+  /// What the medium here is called.
   const std::string& name() const {
     scene::Filling filling;
     const std::string* name = &outside_;
