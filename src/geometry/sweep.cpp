@@ -31,6 +31,7 @@ Sweep::Sweep(const SolidScene& scene, const Ray& ray, double t_max)
     : scene_(scene), ray_(ray), t_max_(t_max), s_(ScratchPool::take()) {
   ++s_->query;
   s_->group_number = 0;
+  s_->walk_number = 0;
   s_->node_count = 0;
   s_->queue.clear();
   s_->events.clear();

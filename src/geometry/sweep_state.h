@@ -50,6 +50,7 @@ struct Sweep::NodeState {
   std::uint32_t count_before = 0;      ///< and before `group`
   std::uint32_t waiting = ~0u;         ///< the first leaf that waits for this node to be undecided
   std::uint32_t waiting_deciders = 0;  ///< how many of them would decide it as they are at rest
+  std::uint32_t walk = 0;              ///< the last walk up the tree that came by: path_changed
 };
 
 /// What a sweep needs to remember. Grows to what the largest scene of its thread takes, and is
@@ -86,6 +87,7 @@ struct Sweep::Scratch {
 
   std::uint64_t query = 0;
   std::uint32_t group_number = 0;
+  std::uint32_t walk_number = 0;
   std::uint32_t node_count = 0;
   SweepQueue queue;
   std::vector<Member> events, group;
@@ -111,7 +113,7 @@ struct Sweep::Scratch {
     NodeState& s = nodes[slot.first_node + node];
     if (s.query != query) {
       const std::uint32_t rest = slot.compound->tree().nodes()[node].rest_count;
-      s = {query, group_number, rest, rest, none, 0};
+      s = {query, group_number, rest, rest, none, 0, 0};
     } else if (s.group != group_number) {
       s.group = group_number, s.count_before = s.count;
     }

@@ -15,6 +15,7 @@ bool Sweep::path_changed(std::uint32_t slot, Link link, std::uint32_t region, bo
   const Scratch::Slot& at = s_->slots[slot];
   const BooleanTree& tree = at.compound->tree();
   std::vector<Link>& open = s_->path;
+  const std::uint32_t walk = ++s_->walk_number;
   open.assign(1, link);
   while (!open.empty()) {
     link = open.back();
@@ -25,8 +26,11 @@ bool Sweep::path_changed(std::uint32_t slot, Link link, std::uint32_t region, bo
       if (of_root == region) return true;
       continue;
     }
-    const NodeState& state = s_->nodes[at.first_node + link.index()];
+    NodeState& state = s_->nodes[at.first_node + link.index()];
     if (state.query != s_->query || state.group != s_->group_number) continue;
+    // Once is enough: through shared parts there may be more paths than could ever be walked.
+    if (state.walk == walk) continue;
+    state.walk = walk;
     const std::uint32_t threshold = tree.nodes()[link.index()].threshold;
     if ((state.count >= threshold) != value || (state.count_before >= threshold) == value) continue;
     const auto links = tree.node_links(link.index());

@@ -66,5 +66,30 @@ TEST(Sweep, SeesNoSkinAtTheEndOfTheRay) {
   EXPECT_TRUE(sweep_all(scene, ray).empty());
 }
 
+// Sixty levels that use the level below twice have 2^60 paths from a leaf to the root.
+TEST(Sweep, WalksSharedPartsOnce) {
+  Expression expression;
+  Term part = expression.add(PlacedSolid(Box{{0, 0, 0}, {1, 1, 1}}, {}));
+  Term other = expression.add(PlacedSolid(Box{{0, -1, 0}, {1, 1, 1}}, {}));
+  for (int level = 0; level < 60; ++level) {
+    const Term left[]{part, other}, right[]{other, part};
+    const auto operation = level % 2 == 0 ? Operation::unite : Operation::intersect;
+    const Term a = expression.add(operation, left), b = expression.add(operation, right);
+    part = a, other = b;
+  }
+  Region region;
+  region.root = part;
+  region.medium = 1;
+  SolidScene::Parts parts;
+  parts.expression = std::move(expression);
+  parts.regions = {region};
+  const SolidScene scene(std::move(parts));
+  Ray ray{{-1, 0.5, 0.5}, {1, 0, 0}};
+  const auto found = sweep_all(scene, ray);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].t, 1.0);
+  EXPECT_EQ(found[1].t, 2.0);
+}
+
 }  // namespace
 }  // namespace lapidary::test
