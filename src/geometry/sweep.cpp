@@ -58,7 +58,8 @@ struct Sweep::Scratch {
     std::uint64_t query = 0;
     std::uint32_t group = 0;
     std::uint32_t count = 0;
-    bool was_true = false;  ///< before `group`
+    bool was_true = false;   ///< before `group`
+    std::uint32_t walk = 0;  ///< the last walk up the tree that came by, see path_changed
   };
   struct Toggle {
     std::uint32_t region;
@@ -71,6 +72,7 @@ struct Sweep::Scratch {
 
   std::uint64_t query = 0;
   std::uint32_t group_number = 0;
+  std::uint32_t walk_number = 0;
   std::uint32_t node_count = 0;
   SweepQueue queue;
   std::vector<Member> events, group;
@@ -126,6 +128,7 @@ Sweep::Sweep(const SolidScene& scene, const Ray& ray, double t_max)
     : scene_(scene), ray_(ray), t_max_(t_max), s_(ScratchPool::take()) {
   ++s_->query;
   s_->group_number = 0;
+  s_->walk_number = 0;
   s_->node_count = 0;
   s_->queue.clear();
   s_->events.clear();
@@ -357,6 +360,7 @@ bool Sweep::path_changed(std::uint32_t slot, Link link, std::uint32_t region, bo
   const Scratch::Slot& at = s_->slots[slot];
   const BooleanTree& tree = at.compound->tree();
   std::vector<Link>& open = s_->path;
+  const std::uint32_t walk = ++s_->walk_number;
   open.assign(1, link);
   while (!open.empty()) {
     link = open.back();
@@ -367,8 +371,11 @@ bool Sweep::path_changed(std::uint32_t slot, Link link, std::uint32_t region, bo
       if (of_root == region) return true;
       continue;
     }
-    const Scratch::NodeState& state = s_->nodes[at.first_node + link.index()];
+    Scratch::NodeState& state = s_->nodes[at.first_node + link.index()];
     if (state.query != s_->query || state.group != s_->group_number) continue;
+    // Once is enough: of shared parts there may be more paths than could ever be walked.
+    if (state.walk == walk) continue;
+    state.walk = walk;
     const bool is_true = state.count >= tree.nodes()[link.index()].threshold;
     if (is_true != value || state.was_true == value) continue;
     const auto links = tree.node_links(link.index());
