@@ -31,13 +31,13 @@ local ball = sphere { center = { 0.4, -0.25, -0.62 }, radius = 0.38 }
   :name "ball"
 
 return scene {
-  camera = perspective { from = { 0, -3.9, 0 }, at = { 0, 0, 0 }, fov = 37.9 },
+  camera = perspective { from = { 0, -3.9, 0 }, at = { 0, 0, 0 }, fov = 39 },
   lights = {
     rectangle_light {
-      corner = { -0.4, -0.4, 0.98 }, edge_u = { 0, 0.8, 0 }, edge_v = { 0.8, 0, 0 },
-      power = 22, color = { 1, 1, 1 },
+      corner = { -0.25, -0.25, 0.98 }, edge_u = { 0, 0.5, 0 }, edge_v = { 0.5, 0, 0 },
+      power = 12, color = { 1, 1, 1 },
     },
   },
   objects = { room, block, ball },
-  render = { size = { 512, 512 }, samples = 512, max_depth = 12 },
+  render = { size = { 512, 512 }, samples = 512, max_depth = 8 },
 }
