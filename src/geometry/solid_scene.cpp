@@ -22,8 +22,7 @@ Box3d world_box(const Box3d& own, const Transform& map) {
 }
 
 double reach_of(const Box3d& box) {
-  if (!box.bounded()) return box.empty() ? 0.0 : infinity;
-  return length(max(abs(box.min), abs(box.max)));
+  return box.empty() ? 0.0 : length(max(abs(box.min), abs(box.max)));
 }
 
 }  // namespace
@@ -43,8 +42,8 @@ SolidScene::SolidScene(Parts parts) : regions_(std::move(parts.regions)) {
     }
     const Instance& instance = parts.instances[regions_[i].instance];
     const Box3d& own = assemblies_[instance.assembly].bounds(0);
-    places_.push_back(
-        {i, instance.assembly, OwnSpace(instance.world_from_assembly), reach_of(own)});
+    places_.push_back({i, instance.assembly, OwnSpace(instance.world_from_assembly),
+                       reach_of(assemblies_[instance.assembly].bounded_part())});
     region_bounds_[i] = world_box(own, instance.world_from_assembly);
     guests.push_back(region_bounds_[i]);
     if (assemblies_[instance.assembly].tree().roots_at_rest()[0]) at_rest_.push_back(i);

@@ -28,7 +28,7 @@ class SolidScene {
     std::uint32_t region = 0;
     std::uint32_t assembly = 0;
     OwnSpace space;
-    double reach = 0;  ///< radius about the origin of its own coordinates; infinite if unbounded
+    double reach = 0;  ///< how far from the origin of its own coordinates its boxes reach
   };
 
   SolidScene() = default;

@@ -127,8 +127,7 @@ void Sweep::open_place(std::uint32_t index) {
   const Line line = place.space.line(s_->slots[0].line);
   // Near the boxes |t| is at most this, and so the displacement is bounded.
   const double t = (length(line.origin) + place.reach) / length(line.direction);
-  const double displacement = std::isfinite(t) ? line.error_at(t) : 0.0;
-  s_->open_slot(compound, index + 1, line, displacement);
+  s_->open_slot(compound, index + 1, line, line.error_at(t));
   const auto slot = static_cast<std::uint32_t>(s_->slots.size() - 1);
   for (const std::uint32_t leaf : compound.unbounded()) open_leaf(slot, leaf, 0.0);
   if (!compound.bvh().empty()) open({0.0, Entry::of_box(slot, compound.bvh().root()), 0.0f});
@@ -184,7 +183,7 @@ void Sweep::open_leaf(std::uint32_t slot, std::uint32_t leaf, double key) {
   bool inside = buffer.inside_at_start();
   std::size_t i = 0;
   for (; i < buffer.size() && is_past(i, start, slot, leaf, key); ++i) inside = !inside;
-  if (inside) feed_leaf(slot, leaf, true, Feed::always);
+  if (inside) feed_leaf(slot, leaf, true, Since::before);
   if (i == buffer.size()) return;
   const auto first = static_cast<std::uint32_t>(s_->events.size());
   for (; i < buffer.size(); ++i) {
@@ -201,7 +200,7 @@ bool Sweep::next(Transition& found) {
     for (std::size_t applied = 0; applied < s_->group.size() && collect_events();) {
       for (; applied < s_->group.size(); ++applied) {
         const Member& m = s_->group[applied];
-        feed_leaf(m.slot, m.leaf, m.crossing == Crossing::enter, Feed::now);
+        feed_leaf(m.slot, m.leaf, m.crossing == Crossing::enter, Since::group);
       }
       // Leaves that waited for this may have events of their own here.
       release(lower_);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "geometry/ray.h"
 #include "geometry/solid_scene.h"
@@ -63,8 +64,10 @@ class Sweep {
   struct NodeState;
   class ScratchPool;
 
-  /// Whether what a leaf feeds is a change, or was so before the group already.
-  enum class Feed : std::uint8_t { now, always };
+  /// Whether a leaf is inside since the group, which is a change, or was so before it already.
+  enum class Since : std::uint8_t { group, before };
+  /// Which truth of a node: after the group, or before it.
+  enum class When : std::uint8_t { now, before };
 
   // sweep.cpp: what comes next
   void begin_group();
@@ -79,23 +82,22 @@ class Sweep {
   void push_event(std::uint32_t index);
 
   // sweep_truth.cpp: what is true
-  void feed_leaf(std::uint32_t slot, std::uint32_t leaf, bool inside, Feed feed);
-  void feed_now(std::uint32_t slot, BooleanTree::Link link, bool value);
-  void feed_before(std::uint32_t slot, BooleanTree::Link link, bool value);
-  void toggle_region(std::uint32_t region, bool inside);
-  void correct_region(std::uint32_t region, bool was_inside);
+  void feed_leaf(std::uint32_t slot, std::uint32_t leaf, bool inside, Since since);
+  template <When when>
+  void feed(std::uint32_t slot, BooleanTree::Link link, bool value);
+  void set_region(std::uint32_t region, bool inside, When when);
   Toggle* toggle_of(std::uint32_t region);
   std::uint32_t region_of(std::uint32_t slot, BooleanTree::Link root) const;
   std::uint32_t higher(std::uint32_t a, std::uint32_t b) const;
   std::uint32_t region_before() const;
-  static std::uint32_t deciding_children(const BooleanTree::Node& node, std::uint32_t count,
-                                         const NodeState& state);
+  static std::uint32_t deciding_children(const BooleanTree::Node& node, const NodeState& state);
   bool wait_if_decided(std::uint32_t slot, std::uint32_t leaf, float exit);
   void release(double key);
 
   // sweep_surface.cpp: which surface that makes
   void describe(std::uint32_t before, std::uint32_t after, Transition& found);
-  bool causes(const Member& member, std::uint32_t region, bool enters, bool* complement) const;
+  std::optional<BooleanTree::Link> cause(const Member& member, std::uint32_t region,
+                                         bool enters) const;
   bool path_changed(std::uint32_t slot, BooleanTree::Link link, std::uint32_t region,
                     bool value) const;
 

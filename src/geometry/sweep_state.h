@@ -80,7 +80,7 @@ struct Sweep::Scratch {
   struct NodeOfSlot {
     std::uint32_t slot, node;
   };
-  struct Feed {
+  struct Change {
     BooleanTree::Link link;
     bool value;
   };
@@ -95,7 +95,7 @@ struct Sweep::Scratch {
   std::vector<NodeState> nodes;
   std::vector<std::uint32_t> inside;  ///< regions that the sweep is inside of, in no order
   std::vector<Toggle> toggles;        ///< regions that the group has touched
-  std::vector<Feed> feeds;
+  std::vector<Change> changes;        ///< on their way up a tree
   std::vector<Waiting> waiting;
   std::vector<NodeOfSlot> released;  ///< nodes whose waiting leaves may matter now
   std::vector<BooleanTree::Link> path;

@@ -1,5 +1,6 @@
 #include <algorithm>
-#include <cmath>
+#include <optional>
+#include <utility>
 
 #include "geometry/content_order.h"
 #include "geometry/sweep_state.h"
@@ -21,9 +22,7 @@ bool Sweep::path_changed(std::uint32_t slot, Link link, std::uint32_t region, bo
     link = open.back();
     open.pop_back();
     if (link.is_root()) {
-      const std::uint32_t of_root = at.place == 0 ? scene_.region_of_root(link.index())
-                                                  : scene_.places()[at.place - 1].region;
-      if (of_root == region) return true;
+      if (region_of(slot, link) == region) return true;
       continue;
     }
     NodeState& state = s_->nodes[at.first_node + link.index()];
@@ -39,27 +38,20 @@ bool Sweep::path_changed(std::uint32_t slot, Link link, std::uint32_t region, bo
   return false;
 }
 
-/// Whether the change of this leaf is one that made the region's: then `complement` says with which
-/// sign.
-bool Sweep::causes(const Member& member, std::uint32_t region, bool enters,
-                   bool* complement) const {
+/// By which link the change of this leaf made the region's; nothing when it did not.
+std::optional<Link> Sweep::cause(const Member& member, std::uint32_t region, bool enters) const {
   const bool inside = member.crossing == Crossing::enter;
   const auto links = s_->slots[member.slot].compound->tree().leaf_links(member.leaf);
-  if (s_->group.size() == 1 && links.size() == 1) {
-    *complement = links[0].is_complement();
-    return true;
-  }
+  if (s_->group.size() == 1 && links.size() == 1) return links.front();
   const auto events = std::count_if(s_->group.begin(), s_->group.end(), [&](const Member& m) {
     return m.slot == member.slot && m.leaf == member.leaf;
   });
-  if (events % 2 == 0) return false;  // in and out again
+  if (events % 2 == 0) return std::nullopt;  // in and out again
   for (const Link link : links) {
-    if ((inside != link.is_complement()) != enters) continue;
-    if (!path_changed(member.slot, link, region, enters)) continue;
-    *complement = link.is_complement();
-    return true;
+    const bool agrees = (inside != link.is_complement()) == enters;
+    if (agrees && path_changed(member.slot, link, region, enters)) return link;
   }
-  return false;
+  return std::nullopt;
 }
 
 /// The surface of a group that changed the medium. What it wears follows from the signs of leaves
@@ -84,21 +76,23 @@ void Sweep::describe(std::uint32_t before, std::uint32_t after, Transition& foun
   found.after = after;
   found.surface_of = enters ? after : before;
 
-  const Member* shown = nullptr;
-  const Member* placed = nullptr;
+  const auto leaf_of = [this](const Member& m) -> const Compound::Leaf& {
+    return s_->slots[m.slot].compound->leaf(m.leaf);
+  };
+  const auto order_of = [this](const Member& m) {
+    return std::pair(s_->slots[m.slot].place, m.leaf);
+  };
+  // Some leaf is found: a node changes only with one of its children, down to the leaves.
+  const Member *shown = nullptr, *placed = nullptr;
   bool shown_complement = false;
   for (const Member& m : s_->group) {
-    bool complement = false;
-    if (!causes(m, found.surface_of, enters, &complement)) continue;
+    const auto link = cause(m, found.surface_of, enters);
+    if (!link) continue;
+    const bool complement = link->is_complement();
     const bool better = shown == nullptr || (shown_complement && !complement) ||
-                        (shown_complement == complement &&
-                         std::pair(s_->slots[m.slot].place, m.leaf) <
-                             std::pair(s_->slots[shown->slot].place, shown->leaf));
+                        (shown_complement == complement && order_of(m) < order_of(*shown));
     if (better) shown = &m, shown_complement = complement;
-    const auto& leaf = [&](const Member& e) -> const PlacedSolid& {
-      return s_->slots[e.slot].compound->leaf(e.leaf).solid;
-    };
-    if (placed == nullptr || content_less(leaf(m), leaf(*placed))) {
+    if (placed == nullptr || content_less(leaf_of(m).solid, leaf_of(*placed).solid)) {
       placed = &m;
       found.is_complement = complement;
     }
@@ -109,7 +103,7 @@ void Sweep::describe(std::uint32_t before, std::uint32_t after, Transition& foun
   found.leaf = placed->leaf;
   found.patch = placed->patch;
   found.crossing = placed->crossing;
-  const SurfaceTag own = s_->slots[shown->slot].compound->leaf(shown->leaf).tag;
+  const SurfaceTag own = leaf_of(*shown).tag;
   found.tag = own == inherited_surface ? scene_.region(found.surface_of).tag : own;
   // Glass that ends at something opaque behind it shows that.
   const std::uint32_t other = enters ? before : after;

@@ -9,70 +9,48 @@ namespace lapidary::geometry {
 
 using Link = BooleanTree::Link;
 
-void Sweep::feed_leaf(std::uint32_t slot, std::uint32_t leaf, bool inside, Feed feed) {
-  for (const Link link : s_->slots[slot].compound->tree().leaf_links(leaf)) {
-    const bool value = inside != link.is_complement();
-    // What was so all along comes first: it is no change of the group.
-    if (feed == Feed::always) feed_before(slot, link, value);
-    feed_now(slot, link, value);
-  }
-}
-
 std::uint32_t Sweep::region_of(std::uint32_t slot, Link root) const {
   const std::uint32_t place = s_->slots[slot].place;
   return place == 0 ? scene_.region_of_root(root.index()) : scene_.places()[place - 1].region;
 }
 
-/// The truth of something that feeds `link` has become `value`.
-void Sweep::feed_now(std::uint32_t slot, Link link, bool value) {
+/// The truth of something that feeds `link` has become `value`, or was so before the group already.
+template <Sweep::When when>
+void Sweep::feed(std::uint32_t slot, Link link, bool value) {
   const Scratch::Slot& at = s_->slots[slot];
   const BooleanTree& tree = at.compound->tree();
-  const std::size_t bottom = s_->feeds.size();
+  const std::size_t bottom = s_->changes.size();
   for (;;) {
     if (link.is_root()) {
-      toggle_region(region_of(slot, link), value);
+      set_region(region_of(slot, link), value, when);
     } else {
       const BooleanTree::Node& node = tree.nodes()[link.index()];
       NodeState& state = s_->state(at, link.index());
-      const bool was = state.count >= node.threshold;
-      state.count = value ? state.count + 1 : state.count - 1;
-      const bool is = state.count >= node.threshold;
-      if (state.waiting != Scratch::none && deciding_children(node, state.count, state) == 0) {
+      std::uint32_t& count = when == When::now ? state.count : state.count_before;
+      const bool was = count >= node.threshold;
+      count = value ? count + 1 : count - 1;
+      const bool is = count >= node.threshold;
+      const bool has_waiting = when == When::now && state.waiting != Scratch::none;
+      if (has_waiting && deciding_children(node, state) == 0) {
         s_->released.push_back({slot, link.index()});
       }
       if (was != is) {
-        for (const Link up : tree.node_links(link.index())) s_->feeds.push_back({up, is});
+        for (const Link up : tree.node_links(link.index())) s_->changes.push_back({up, is});
       }
     }
-    if (s_->feeds.size() == bottom) return;
-    link = s_->feeds.back().link;
-    value = s_->feeds.back().value;
-    s_->feeds.pop_back();
+    if (s_->changes.size() == bottom) return;
+    link = s_->changes.back().link;
+    value = s_->changes.back().value;
+    s_->changes.pop_back();
   }
 }
 
-/// The truth of something that feeds `link` was `value` before the group already.
-void Sweep::feed_before(std::uint32_t slot, Link link, bool value) {
-  const Scratch::Slot& at = s_->slots[slot];
-  const BooleanTree& tree = at.compound->tree();
-  const std::size_t bottom = s_->feeds.size();
-  for (;;) {
-    if (link.is_root()) {
-      correct_region(region_of(slot, link), value);
-    } else {
-      const std::uint32_t threshold = tree.nodes()[link.index()].threshold;
-      NodeState& state = s_->state(at, link.index());
-      const bool was = state.count_before >= threshold;
-      state.count_before = value ? state.count_before + 1 : state.count_before - 1;
-      const bool is = state.count_before >= threshold;
-      if (was != is) {
-        for (const Link up : tree.node_links(link.index())) s_->feeds.push_back({up, is});
-      }
-    }
-    if (s_->feeds.size() == bottom) return;
-    link = s_->feeds.back().link;
-    value = s_->feeds.back().value;
-    s_->feeds.pop_back();
+void Sweep::feed_leaf(std::uint32_t slot, std::uint32_t leaf, bool inside, Since since) {
+  for (const Link link : s_->slots[slot].compound->tree().leaf_links(leaf)) {
+    const bool value = inside != link.is_complement();
+    // What was so all along comes first: it is no change of the group.
+    if (since == Since::before) feed<When::before>(slot, link, value);
+    feed<When::now>(slot, link, value);
   }
 }
 
@@ -83,23 +61,18 @@ Sweep::Toggle* Sweep::toggle_of(std::uint32_t region) {
   return nullptr;
 }
 
-void Sweep::toggle_region(std::uint32_t region, bool inside) {
-  if (toggle_of(region) == nullptr) s_->toggles.push_back({region, !inside});
-  if (inside) {
-    s_->inside.push_back(region);
-  } else {
-    *std::find(s_->inside.begin(), s_->inside.end(), region) = s_->inside.back();
-    s_->inside.pop_back();
+/// The sweep is inside of a region now or is not, or was so before the group other than was known.
+void Sweep::set_region(std::uint32_t region, bool inside, When when) {
+  Toggle* toggle = toggle_of(region);
+  if (when == When::before) {
+    if (toggle == nullptr) return s_->toggles.push_back({region, inside});
+    toggle->was_inside = inside;
+    return;
   }
-}
-
-/// The sweep was inside of a region before the group, or was not, other than it was known.
-void Sweep::correct_region(std::uint32_t region, bool was_inside) {
-  if (Toggle* toggle = toggle_of(region)) {
-    toggle->was_inside = was_inside;
-  } else {
-    s_->toggles.push_back({region, was_inside});
-  }
+  if (toggle == nullptr) s_->toggles.push_back({region, !inside});
+  if (inside) return s_->inside.push_back(region);
+  *std::find(s_->inside.begin(), s_->inside.end(), region) = s_->inside.back();
+  s_->inside.pop_back();
 }
 
 std::uint32_t Sweep::higher(std::uint32_t a, std::uint32_t b) const {
@@ -127,10 +100,9 @@ std::uint32_t Sweep::region_before() const {
 
 /// Children of a node that decide it alone, whatever the others are: true ones of a union, false
 /// ones of an intersection. Leaves that wait do not count: nobody knows what they are.
-std::uint32_t Sweep::deciding_children(const BooleanTree::Node& node, std::uint32_t count,
-                                       const NodeState& state) {
+std::uint32_t Sweep::deciding_children(const BooleanTree::Node& node, const NodeState& state) {
   const bool is_union = node.operation == Operation::unite;
-  return (is_union ? count : node.threshold - count) - state.waiting_deciders;
+  return (is_union ? state.count : node.threshold - state.count) - state.waiting_deciders;
 }
 
 /// Lets a leaf wait that cannot matter now, because another child decides the node it feeds: until
@@ -146,7 +118,7 @@ bool Sweep::wait_if_decided(std::uint32_t slot, std::uint32_t leaf, float exit) 
   // What it feeds at rest would decide the node, if it were known.
   const bool decides = links.front().is_complement() == (node.operation == Operation::unite);
   const std::uint32_t itself = decides ? 1 : 0;
-  if (deciding_children(node, state.count, state) - itself == 0) return false;
+  if (deciding_children(node, state) - itself == 0) return false;
   s_->waiting.push_back({slot, leaf, exit, state.waiting});
   state.waiting = static_cast<std::uint32_t>(s_->waiting.size() - 1);
   state.waiting_deciders += itself;

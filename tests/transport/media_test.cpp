@@ -116,5 +116,26 @@ TEST(Media, AGlassMeshHoldsWaterOfItsOwnPriority) {
   expect_radiance(mean, std::pow(0.4, drop) * std::pow(0.7, octahedron));
 }
 
+// Twenty shells of triangles in one another, each of a glass of its own: any number may be nested.
+TEST(Media, GlassMeshesNestToAnyDepth) {
+  constexpr int shells = 20;
+  TinyScene tiny;
+  tiny.sky(1.0);
+  double log_seen = 0.0;
+  for (int i = 0; i < shells; ++i) {
+    const double color = 0.7 + 0.01 * i, radius = 1.0 - 0.045 * i;
+    tiny.add_mesh(ball_mesh(0), tinted(1.0, color, 1.0),
+                  Transform::scaling({radius, radius, radius}));
+    auto& shell = tiny.description.objects.back();
+    shell = ranked(shell, i);
+    const double half_way = i + 1 < shells ? 0.045 : radius - 0.03;  // in this shell alone
+    log_seen += 2 * half_way * std::log(color);
+  }
+  // Octahedra |x| + |y| + |z| <= radius, crossed off the edges.
+  const RunningMean mean =
+      radiance(tiny.build(), ray({-5, 0.01, 0.02}, {1, 0, 0}), {{64}, 1024, 64});
+  expect_radiance(mean, std::exp(log_seen));
+}
+
 }  // namespace
 }  // namespace lapidary::test
