@@ -142,6 +142,9 @@ BooleanTree::BooleanTree(const Expression& expression, std::span<const Term> roo
   for (std::size_t i = expression.nodes().size(); i-- > 0;) normaliser.visit(i);
   normaliser.sort_links();
   normaliser.count_children();
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    if (node_links(i).size() == 1) nodes_[i].only_user = node_links(i).front();
+  }
 }
 
 std::size_t BooleanTree::bytes() const {
@@ -151,47 +154,66 @@ std::size_t BooleanTree::bytes() const {
 
 namespace {
 
-/// Grows the boxes outside of which nodes and roots are false.
-class FalseOutside {
+/// Where something may be other than it is far away: `is_false` holds all of what may be true,
+/// `is_true` all of what may be false. Both are everything when nothing is known.
+struct Outside {
+  Box3d is_false = Box3d::all(), is_true = Box3d::all();
+};
+
+/// Follows the boxes outside of which leaves are false, or their complements true, up a tree.
+class ConstantOutside {
  public:
-  FalseOutside(const BooleanTree& tree, std::span<const Box3d> leaf_bounds)
+  ConstantOutside(const BooleanTree& tree, std::span<const Box3d> leaf_bounds)
       : tree_(tree), nodes_(tree.nodes().size()), roots_(tree.roots_at_rest().size()) {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      if (tree.nodes()[i].operation == Operation::intersect) nodes_[i] = Box3d::all();
+      const bool is_union = tree.nodes()[i].operation == Operation::unite;
+      (is_union ? nodes_[i].is_false : nodes_[i].is_true) = {};
     }
     for (std::uint32_t i = 0; i < tree.leaf_count(); ++i) {
-      for (const BooleanTree::Link link : tree.leaf_links(i)) merge(link, leaf_bounds[i]);
+      for (const BooleanTree::Link link : tree.leaf_links(i)) {
+        const Box3d all = Box3d::all();
+        merge(link,
+              link.is_complement() ? Outside{all, leaf_bounds[i]} : Outside{leaf_bounds[i], all});
+      }
     }
     for (auto i = static_cast<std::uint32_t>(nodes_.size()); i-- > 0;) {
       for (const BooleanTree::Link link : tree.node_links(i)) merge(link, nodes_[i]);
     }
   }
 
-  std::vector<Box3d> take_nodes() { return std::move(nodes_); }
+  /// Outside of it the node is the same everywhere.
+  Box3d changes(std::uint32_t node) const {
+    return common(nodes_[node].is_false, nodes_[node].is_true);
+  }
   std::vector<Box3d> take_roots() { return std::move(roots_); }
 
  private:
-  void merge(BooleanTree::Link link, const Box3d& bounds) {
-    const Box3d box = link.is_complement() ? Box3d::all() : bounds;
+  void merge(BooleanTree::Link link, const Outside& child) {
     if (link.is_root()) {
-      roots_[link.index()] = box;
-    } else if (tree_.nodes()[link.index()].operation == Operation::unite) {
-      nodes_[link.index()].extend(box);
+      roots_[link.index()] = child.is_false;
+      return;
+    }
+    Outside& node = nodes_[link.index()];
+    if (tree_.nodes()[link.index()].operation == Operation::unite) {
+      node.is_false.extend(child.is_false);
+      node.is_true = common(node.is_true, child.is_true);
     } else {
-      nodes_[link.index()] = common(nodes_[link.index()], box);
+      node.is_false = common(node.is_false, child.is_false);
+      node.is_true.extend(child.is_true);
     }
   }
 
   const BooleanTree& tree_;
-  std::vector<Box3d> nodes_, roots_;
+  std::vector<Outside> nodes_;
+  std::vector<Box3d> roots_;
 };
 
 }  // namespace
 
 ClippedBounds clipped_bounds(const BooleanTree& tree, std::span<const Box3d> leaf_bounds) {
-  FalseOutside outside(tree, leaf_bounds);
+  ConstantOutside outside(tree, leaf_bounds);
   ClippedBounds result{{}, outside.take_roots()};
-  std::vector<Box3d> clips = outside.take_nodes();
+  std::vector<Box3d> clips(tree.nodes().size());
   const auto clip_of = [&](std::span<const BooleanTree::Link> links) {
     Box3d clip;
     for (const BooleanTree::Link link : links) {
@@ -201,7 +223,7 @@ ClippedBounds clipped_bounds(const BooleanTree& tree, std::span<const Box3d> lea
   };
   // From the roots down: users come before what they use.
   for (std::uint32_t i = 0; i < clips.size(); ++i) {
-    clips[i] = common(clips[i], clip_of(tree.node_links(i)));
+    clips[i] = common(outside.changes(i), clip_of(tree.node_links(i)));
   }
   result.leaves.resize(leaf_bounds.size());
   for (std::uint32_t i = 0; i < leaf_bounds.size(); ++i) {

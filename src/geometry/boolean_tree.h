@@ -20,11 +20,12 @@ class BooleanTree {
   class Link {
    public:
     enum class Target : std::uint8_t { node, root };
-    Link() = default;
+    Link() = default;  ///< to nothing
     Link(Target target, std::uint32_t index, bool complement)
         : bits_(index | (target == Target::root ? root_bit : 0u) |
                 (complement ? complement_bit : 0u)) {}
 
+    bool is_none() const { return bits_ == ~0u; }
     bool is_root() const { return (bits_ & root_bit) != 0; }
     /// The target sees the complement: only of leaves.
     bool is_complement() const { return (bits_ & complement_bit) != 0; }
@@ -33,13 +34,14 @@ class BooleanTree {
 
    private:
     static constexpr std::uint32_t root_bit = 0x80000000u, complement_bit = 0x40000000u;
-    std::uint32_t bits_ = 0;
+    std::uint32_t bits_ = ~0u;
   };
 
   struct Node {
     Operation operation = Operation::unite;
     std::uint32_t threshold = 0;
     std::uint32_t rest_count = 0;
+    Link only_user;  ///< what it feeds, when that is one thing
     bool is_true_at_rest() const { return rest_count >= threshold; }
   };
 
@@ -80,9 +82,11 @@ struct ClippedBounds {
 
 /// `leaf_bounds` are those of the solids.
 ///
-/// A node is false outside of its bounds: the common part of the bounds of what an intersection is
-/// made of. So what happens there to its operands cannot matter; a cutter is bounded by what it
-/// cuts, and a half-space in a chamfered box by the box. Source: Cameron 1991 (S-bounds).
+/// An intersection is false outside of the common part of the bounds of what it is made of. So what
+/// happens there to its operands cannot matter: a cutter is bounded by what it cuts, and a
+/// half-space in a chamfered box by the box. Source: Cameron 1991 (S-bounds). By duality a union is
+/// true outside of the common part of the bounds of what it has complements of: in a - (b - c),
+/// which is a and (not b or c), c matters inside of b only.
 ClippedBounds clipped_bounds(const BooleanTree& tree, std::span<const Box3d> leaf_bounds);
 
 }  // namespace lapidary::geometry

@@ -161,11 +161,18 @@ struct Bvh::Builder {
 };
 
 Bvh::Bvh(std::span<const Box3d> boxes) {
-  if (boxes.empty()) return;
+  constexpr std::uint32_t all_of_them[]{0};
+  if (!boxes.empty()) *this = Bvh(boxes, all_of_them);
+}
+
+Bvh::Bvh(std::span<const Box3d> boxes, std::span<const std::uint32_t> first) {
   Builder builder(boxes, nodes_);
-  const Builder::Range all = builder.range(0, boxes.size());
-  bounds_ = all.box;
-  builder.build(all, 0);
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    const std::size_t end = k + 1 < first.size() ? first[k + 1] : boxes.size();
+    const Builder::Range all = builder.range(first[k], end);
+    bounds_.extend(all.box);
+    roots_.push_back(builder.build(all, 0));
+  }
 }
 
 /// The start is the point nearest to the middle of everything, put back by a little more than the

@@ -25,6 +25,9 @@ class Bvh {
   /// Every box must be bounded. Binned surface-area heuristic (Wald 2007), collapsed to width 8
   /// (Wald, Benthin & Boulos 2008).
   explicit Bvh(std::span<const Box3d> boxes);
+  /// Several hierarchies in one: number k holds the items from `first[k]` up to `first[k + 1]`, or
+  /// to the end. Items keep their numbers. Each has to hold something.
+  Bvh(std::span<const Box3d> boxes, std::span<const std::uint32_t> first);
 
   /// Calls `visit(item, t_max)` for the items whose boxes `line` meets at some t in [0, t_max],
   /// nearer boxes first as far as nodes allow. `visit` may lower `t_max`, and ends the walk by
@@ -69,8 +72,8 @@ class Bvh {
     return !nodes_.empty() &&
            test(nodes_[0], slabs, static_cast<float>(t_max) * (1.0f + 0x1p-22f), entry) != 0;
   }
-  /// Not of an empty hierarchy.
-  Ref root() const { return Ref(0); }
+  /// Of one of the hierarchies; not of an empty one.
+  Ref root(std::size_t number = 0) const { return Ref(roots_[number]); }
   /// Calls `visit(entry, exit, child)` for the children of a node (not an item) whose boxes the
   /// line meets at some t in [0, t_max], in no order, with bounds of where.
   template <typename Visit>
@@ -82,7 +85,9 @@ class Bvh {
   template <typename Visit>
   void walk_line(const Line& line, Visit&& visit) const;
 
-  std::size_t bytes() const { return nodes_.size() * sizeof(Node); }
+  std::size_t bytes() const {
+    return nodes_.size() * sizeof(Node) + roots_.size() * sizeof(std::uint32_t);
+  }
 
  private:
   static constexpr std::uint32_t width = 8;
@@ -115,6 +120,7 @@ class Bvh {
 
   struct Builder;
   std::vector<Node> nodes_;
+  std::vector<std::uint32_t> roots_;  ///< the first is node 0
   Box3d bounds_;
 };
 

@@ -1,6 +1,80 @@
 #include "geometry/compound.h"
 
+#include <algorithm>
+
 namespace lapidary::geometry {
+
+/// Which unit's hierarchy everything goes to.
+struct Compound::Units {
+  /// Smaller branches are left in the hierarchy around them: their leaves cost no more than the
+  /// detour.
+  static constexpr double smallest = 5;
+
+  const BooleanTree& tree;
+  std::vector<std::uint32_t> nodes{~0u};  ///< at the top of each unit
+  std::vector<std::uint32_t> parents{0};  ///< the unit that each is an item of
+  std::vector<std::uint32_t> of_node;     ///< the unit that each node belongs to
+  std::vector<double> sizes;              ///< of nodes, in leaves; shared ones count each time
+
+  explicit Units(const BooleanTree& t)
+      : tree(t), of_node(t.nodes().size()), sizes(t.nodes().size(), 0.0) {
+    double total = 0;
+    const auto add = [&](std::span<const Link> links, double size) {
+      for (const Link link : links) (link.is_root() ? total : sizes[link.index()]) += size;
+    };
+    for (std::uint32_t i = 0; i < tree.leaf_count(); ++i) add(tree.leaf_links(i), 1);
+    for (auto i = static_cast<std::uint32_t>(sizes.size()); i-- > 0;) {
+      add(tree.node_links(i), sizes[i]);
+    }
+    // Users come before what they use.
+    for (std::uint32_t i = 0; i < of_node.size(); ++i) {
+      const auto links = tree.node_links(i);
+      const bool is_inner = links.size() == 1 && !links.front().is_root();
+      const std::uint32_t around = is_inner ? of_node[links.front().index()] : 0;
+      const double most = is_inner ? sizes[links.front().index()] : total;
+      if (sizes[i] < smallest || sizes[i] > 0.5 * most) {
+        of_node[i] = around;
+        continue;
+      }
+      of_node[i] = static_cast<std::uint32_t>(nodes.size());
+      nodes.push_back(i);
+      parents.push_back(around);
+    }
+  }
+
+  /// What feeds several is met apart from all of them.
+  std::uint32_t of_leaf(std::uint32_t leaf) const {
+    const auto links = tree.leaf_links(leaf);
+    return links.size() != 1 || links.front().is_root() ? 0 : of_node[links.front().index()];
+  }
+
+  std::size_t count() const { return nodes.size(); }
+};
+
+namespace {
+
+using Link = BooleanTree::Link;
+
+/// Of nodes: everything that they are made of feeds nothing else, and has bounds.
+std::vector<bool> in_one_piece(const BooleanTree& tree, std::span<const Box3d> leaf_boxes) {
+  std::vector<bool> result(tree.nodes().size(), true);
+  const auto spoil = [&](std::span<const Link> links) {
+    for (const Link link : links) {
+      if (!link.is_root()) result[link.index()] = false;
+    }
+  };
+  for (std::uint32_t i = 0; i < tree.leaf_count(); ++i) {
+    const bool met_apart =
+        tree.leaf_links(i).size() > 1 || (!leaf_boxes[i].empty() && !leaf_boxes[i].bounded());
+    if (met_apart) spoil(tree.leaf_links(i));
+  }
+  for (auto i = static_cast<std::uint32_t>(result.size()); i-- > 0;) {
+    if (!result[i] || tree.node_links(i).size() > 1) spoil(tree.node_links(i));
+  }
+  return result;
+}
+
+}  // namespace
 
 Compound::Compound(Expression expression, std::span<const Expression::Term> roots,
                    std::span<const Box3d> guests)
@@ -11,28 +85,79 @@ Compound::Compound(Expression expression, std::span<const Expression::Term> root
   for (const Leaf& leaf : leaves_) leaf_bounds.push_back(geometry::bounds(leaf.solid));
   ClippedBounds clipped = clipped_bounds(tree_, leaf_bounds);
   root_bounds_ = std::move(clipped.roots);
-
-  std::vector<Box3d> boxes;
-  boxes.reserve(leaves_.size() + guests.size());
-  std::uint32_t item = 0;
-  const auto place = [&](const Box3d& box) {
-    const std::uint32_t index = item++;
-    if (box.empty()) return;
-    live_leaves_ += index < leaves_.size() ? 1 : 0;
-    if (!box.bounded()) return unbounded_.push_back(index);
-    bounded_.push_back(index);
-    boxes.push_back(box);
-    bounded_part_.extend(box);
+  Units units(tree_);
+  struct Placed {
+    Item item;
+    std::uint32_t unit;
+    Box3d box;
   };
-  for (const Box3d& box : clipped.leaves) place(box);
-  for (const Box3d& box : guests) place(box);
-  bvh_ = Bvh(boxes);
+  std::vector<Placed> placed;
+  placed.reserve(leaves_.size() + guests.size() + units.count());
+  std::vector<Box3d> unit_boxes(units.count());
+  const auto place = [&](Item item, std::uint32_t unit, const Box3d& box) {
+    if (box.empty()) return;
+    if (!box.bounded()) return unbounded_.push_back(item);
+    unit_boxes[unit].extend(box);
+    placed.push_back({item, unit, box});
+  };
+  for (std::uint32_t i = 0; i < leaves_.size(); ++i) {
+    live_leaves_ += clipped.leaves[i].empty() ? 0 : 1;
+    place(leaf_item(i), units.of_leaf(i), clipped.leaves[i]);
+  }
+  for (std::uint32_t i = 0; i < guests.size(); ++i) {
+    place({i, Item::no_node, Item::Kind::guest}, 0, guests[i]);
+  }
+  const std::vector<bool> whole = in_one_piece(tree_, clipped.leaves);
+  for (auto i = static_cast<std::uint32_t>(units.count()); i-- > 1;) {
+    const std::uint32_t node = units.nodes[i];
+    Item unit{i, Item::no_node, Item::Kind::unit};
+    if (whole[node]) {
+      unit = feeding(unit, tree_.node_links(node), tree_.nodes()[node].is_true_at_rest());
+    }
+    place(unit, units.parents[i], unit_boxes[i]);
+  }
+  bounded_part_ = unit_boxes[0];
+
+  if (units.count() > 1) {
+    std::stable_sort(placed.begin(), placed.end(),
+                     [](const Placed& a, const Placed& b) { return a.unit < b.unit; });
+  }
+  // Units of which nothing is left have no hierarchy; the others are numbered anew.
+  std::vector<std::uint32_t> number(units.count(), 0), first;
+  std::vector<Box3d> boxes;
+  boxes.reserve(placed.size());
+  for (const Placed& p : placed) {
+    if (boxes.empty() || p.unit != placed[boxes.size() - 1].unit) {
+      number[p.unit] = static_cast<std::uint32_t>(first.size());
+      first.push_back(static_cast<std::uint32_t>(boxes.size()));
+    }
+    boxes.push_back(p.box);
+  }
+  items_.reserve(placed.size());
+  for (const Placed& p : placed) {
+    items_.push_back(p.item);
+    if (p.item.kind == Item::Kind::unit) items_.back().index = number[p.item.index];
+  }
+  bvh_ = Bvh(boxes, first);
+}
+
+Compound::Item Compound::leaf_item(std::uint32_t leaf) const {
+  const auto links = tree_.leaf_links(leaf);
+  const bool at_rest = !links.empty() && links.front().is_complement();
+  return feeding({leaf, Item::no_node, Item::Kind::leaf}, links, at_rest);
+}
+
+/// `at_rest`: what the item feeds there.
+Compound::Item Compound::feeding(Item item, std::span<const Link> links, bool at_rest) const {
+  if (links.size() != 1 || links.front().is_root()) return item;
+  item.node = links.front().index();
+  item.decides_at_rest = at_rest == (tree_.nodes()[item.node].operation == Operation::unite);
+  return item;
 }
 
 std::size_t Compound::bytes() const {
   return leaves_.size() * sizeof(Leaf) + tree_.bytes() + bvh_.bytes() +
-         (bounded_.size() + unbounded_.size()) * sizeof(std::uint32_t) +
-         root_bounds_.size() * sizeof(Box3d);
+         (items_.size() + unbounded_.size()) * sizeof(Item) + root_bounds_.size() * sizeof(Box3d);
 }
 
 }  // namespace lapidary::geometry

@@ -9,14 +9,33 @@
 
 namespace lapidary::geometry {
 
-/// Expressions made ready for sweeps: a normalised tree over leaves, and a hierarchy of the boxes
+/// Expressions made ready for sweeps: a normalised tree over leaves, and hierarchies of the boxes
 /// outside of which leaves do not matter.
+///
+/// A larger branch of the tree is a *unit* with a hierarchy of its own, whose box is one item of
+/// the hierarchy around it: so a sweep can pass by a whole branch while its siblings decide the
+/// node that they feed. A branch with most of what its own node holds is not made one, so that
+/// units are nested at most log2(leaves) deep, even where the tree is a chain.
 class Compound {
  public:
   using Leaf = Expression::Leaf;
+  using Link = BooleanTree::Link;
+
+  /// What a hierarchy holds.
+  struct Item {
+    enum class Kind : std::uint8_t { leaf, unit, guest };
+    static constexpr std::uint32_t no_node = ~0u;
+
+    std::uint32_t index = 0;  ///< of the leaf, unit or guest
+    /// The only node that it feeds and may wait for; none for what feeds several or a root, or is
+    /// met in parts elsewhere.
+    std::uint32_t node = no_node;
+    Kind kind = Kind::leaf;
+    bool decides_at_rest = false;  ///< what it is before a ray comes to it decides the node
+  };
 
   Compound() = default;
-  /// The hierarchy also holds `guests`, boxes of other things: items after the leaves.
+  /// The outermost hierarchy also holds `guests`, boxes of other things.
   Compound(Expression expression, std::span<const Expression::Term> roots,
            std::span<const Box3d> guests = {});
 
@@ -25,10 +44,11 @@ class Compound {
   const BooleanTree& tree() const { return tree_; }
 
   const Bvh& bvh() const { return bvh_; }
-  /// What an item of the hierarchy is: a leaf, or `leaves().size()` and more: a guest.
-  std::uint32_t item(Bvh::Ref ref) const { return bounded_[ref.item()]; }
+  Item item(Bvh::Ref ref) const { return items_[ref.item()]; }
+  Bvh::Ref outermost() const { return bvh_.root(0); }
+  Bvh::Ref root(std::uint32_t unit) const { return bvh_.root(unit); }
   /// Leaves and guests without bounds: every ray meets them.
-  std::span<const std::uint32_t> unbounded() const { return unbounded_; }
+  const std::vector<Item>& unbounded() const { return unbounded_; }
 
   /// Outside of it the root is false; may be infinite.
   const Box3d& bounds(std::size_t root) const { return root_bounds_[root]; }
@@ -39,10 +59,15 @@ class Compound {
   std::size_t bytes() const;
 
  private:
+  struct Units;
+
+  Item leaf_item(std::uint32_t leaf) const;
+  Item feeding(Item item, std::span<const Link> links, bool at_rest) const;
+
   std::vector<Leaf> leaves_;
   BooleanTree tree_;
-  Bvh bvh_;
-  std::vector<std::uint32_t> bounded_, unbounded_;
+  Bvh bvh_;  ///< a hierarchy for each unit; number 0 is around them all
+  std::vector<Item> items_, unbounded_;
   std::vector<Box3d> root_bounds_;
   Box3d bounded_part_;
   std::size_t live_leaves_ = 0;

@@ -28,6 +28,9 @@ class Sweep::ScratchPool {
 };
 
 Sweep::Sweep(const SolidScene& scene, const Ray& ray, double t_max)
+    : Sweep(scene, ray, Bvh::Slabs(ray.line()), t_max) {}
+
+Sweep::Sweep(const SolidScene& scene, const Ray& ray, const Bvh::Slabs& slabs, double t_max)
     : scene_(scene), ray_(ray), t_max_(t_max), s_(ScratchPool::take()) {
   ++s_->query;
   s_->group_number = 0;
@@ -42,15 +45,9 @@ Sweep::Sweep(const SolidScene& scene, const Ray& ray, double t_max)
   s_->released.clear();
   s_->inside.assign(scene.regions_at_rest().begin(), scene.regions_at_rest().end());
   const Compound& world = scene.world();
-  s_->open_slot(world, 0, ray.line(), 0.0);
-  for (const std::uint32_t item : world.unbounded()) {
-    if (item < world.leaves().size()) {
-      open_leaf(0, item, 0.0);
-    } else {
-      open_place(item - static_cast<std::uint32_t>(world.leaves().size()));
-    }
-  }
-  if (!world.bvh().empty()) open({0.0, Entry::of_box(0, world.bvh().root()), 0.0f});
+  s_->open_slot(world, 0, ray.line(), slabs);
+  for (const Compound::Item item : world.unbounded()) open_item(0, item, 0.0);
+  if (!world.bvh().empty()) open_box(0, world.outermost(), 0.0);
 }
 
 Sweep::~Sweep() {
@@ -105,20 +102,30 @@ void Sweep::push_event(std::uint32_t index) {
 }
 
 void Sweep::open(const Entry& entry) {
-  const std::uint32_t number = entry.slot();
-  const Scratch::Slot& slot = s_->slots[number];
-  const Compound& compound = *slot.compound;
+  const std::uint32_t slot = entry.slot();
   const Bvh::Ref box = entry.box();
-  if (!box.is_item()) {
-    compound.bvh().expand(box, slot.slabs, t_max_, [&](float t, float exit, Bvh::Ref child) {
-      s_->queue.push(static_cast<double>(t), Entry::of_box(number, child), exit);
-    });
-    return;
+  if (!box.is_item()) return open_box(slot, box, entry.key);
+  const Compound::Item item = s_->slots[slot].compound->item(box);
+  if (!wait_if_decided(slot, item, entry.exit)) open_item(slot, item, entry.key);
+}
+
+/// What is in a box comes up no sooner than at t = `key`.
+void Sweep::open_box(std::uint32_t slot, Bvh::Ref box, double key) {
+  const Scratch::Slot& at = s_->slots[slot];
+  at.compound->bvh().expand(box, at.slabs, t_max_, [&](float t, float exit, Bvh::Ref child) {
+    s_->queue.push(std::max(static_cast<double>(t), key), Entry::of_box(slot, child), exit);
+  });
+}
+
+void Sweep::open_item(std::uint32_t slot, Compound::Item item, double key) {
+  switch (item.kind) {
+    case Compound::Item::Kind::leaf:
+      return open_leaf(slot, item.index, key);
+    case Compound::Item::Kind::unit:
+      return open_box(slot, s_->slots[slot].compound->root(item.index), key);
+    case Compound::Item::Kind::guest:
+      return open_place(item.index);
   }
-  const std::uint32_t item = compound.item(box);
-  const auto leaves = static_cast<std::uint32_t>(compound.leaves().size());
-  if (item >= leaves) return open_place(item - leaves);
-  if (!wait_if_decided(number, item, entry.exit)) open_leaf(number, item, entry.key);
 }
 
 void Sweep::open_place(std::uint32_t index) {
@@ -127,10 +134,10 @@ void Sweep::open_place(std::uint32_t index) {
   const Line line = place.space.line(s_->slots[0].line);
   // Near the boxes |t| is at most this, and so the displacement is bounded.
   const double t = (length(line.origin) + place.reach) / length(line.direction);
-  s_->open_slot(compound, index + 1, line, line.error_at(t));
+  s_->open_slot(compound, index + 1, line, Bvh::Slabs(line, line.error_at(t)));
   const auto slot = static_cast<std::uint32_t>(s_->slots.size() - 1);
-  for (const std::uint32_t leaf : compound.unbounded()) open_leaf(slot, leaf, 0.0);
-  if (!compound.bvh().empty()) open({0.0, Entry::of_box(slot, compound.bvh().root()), 0.0f});
+  for (const Compound::Item item : compound.unbounded()) open_item(slot, item, 0.0);
+  if (!compound.bvh().empty()) open_box(slot, compound.outermost(), 0.0);
 }
 
 /// The event of the buffer that the ray starts on; the buffer's size when there is none.
@@ -193,25 +200,42 @@ void Sweep::open_leaf(std::uint32_t slot, std::uint32_t leaf, double key) {
   push_event(first);
 }
 
-bool Sweep::next(Transition& found) {
+/// Goes on to the next group that changes the medium.
+std::optional<Sweep::Change> Sweep::next_change() {
   for (;;) {
     begin_group();
-    if (!collect_events()) return false;
+    if (!collect_events()) return std::nullopt;
     for (std::size_t applied = 0; applied < s_->group.size() && collect_events();) {
       for (; applied < s_->group.size(); ++applied) {
         const Member& m = s_->group[applied];
         feed_leaf(m.slot, m.leaf, m.crossing == Crossing::enter, Since::group);
       }
-      // Leaves that waited for this may have events of their own here.
+      // What waited for this may have events of its own here.
       release(lower_);
       collect_events();
     }
     if (s_->toggles.empty()) continue;
-    const std::uint32_t before = region_before(), after = region();
-    if (scene_.medium(before) == scene_.medium(after)) continue;
-    describe(before, after, found);
+    const Change change{region_before(), region()};
+    if (scene_.medium(change.before) != scene_.medium(change.after)) return change;
+  }
+}
+
+bool Sweep::next(Transition& found) {
+  while (const auto change = next_change()) {
+    describe(*change, found);
     if (found.t < t_max_) return true;
   }
+  return false;
+}
+
+bool Sweep::any() {
+  while (const auto change = next_change()) {
+    if (upper_ < t_max_) return true;
+    Transition found;
+    describe(*change, found);
+    if (found.t < t_max_) return true;
+  }
+  return false;
 }
 
 std::uint32_t region_at(const SolidScene& scene, Vec3d point) {

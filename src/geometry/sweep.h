@@ -34,8 +34,8 @@ struct Transition {
 /// medium is a surface, so that coincident faces leave no skin. A group is final when the queue
 /// holds nothing that could still belong to it.
 ///
-/// While a union is true by one child, or an intersection false, the leaves among its other
-/// children wait unopened: most never matter.
+/// While a union is true by one child, or an intersection false, leaves and whole units among its
+/// other children wait unopened: most never matter.
 ///
 /// Cost grows with the boxes that the ray meets before it stops. Memory comes from a pool of the
 /// thread and is reused. Throws nothing.
@@ -45,12 +45,16 @@ class Sweep {
   /// with it. `scene` and `ray` must outlive the sweep.
   Sweep(const SolidScene& scene, const Ray& ray, double t_max);
   Sweep(const SolidScene& scene, const Ray& ray) : Sweep(scene, ray, ray.t_max) {}
+  /// The same for a ray that was prepared before.
+  Sweep(const SolidScene& scene, const Ray& ray, const Bvh::Slabs& slabs, double t_max);
   ~Sweep();
   Sweep(const Sweep&) = delete;
   Sweep& operator=(const Sweep&) = delete;
 
   /// Sets `found` to the next transition; false, with `found` unspecified, when there is none.
   bool next(Transition& found);
+  /// Whether there is a next transition, and past it; for less than `next`.
+  bool any();
   /// The region that the ray is in: behind the transition found last, or where it starts.
   std::uint32_t region() const;
   /// Groups that were cut short because rounding chained them without end.
@@ -69,11 +73,19 @@ class Sweep {
   /// Which truth of a node: after the group, or before it.
   enum class When : std::uint8_t { now, before };
 
+  /// Of the medium: the regions that fill the ray's way before a group and behind it.
+  struct Change {
+    std::uint32_t before, after;
+  };
+
   // sweep.cpp: what comes next
+  std::optional<Change> next_change();
   void begin_group();
   bool collect_events();
   void open(const Entry& entry);
-  void open_place(std::uint32_t item);
+  void open_item(std::uint32_t slot, Compound::Item item, double key);
+  void open_box(std::uint32_t slot, Bvh::Ref box, double key);
+  void open_place(std::uint32_t index);
   void open_leaf(std::uint32_t slot, std::uint32_t leaf, double key);
   bool is_past(std::size_t event, std::size_t start, std::uint32_t slot, std::uint32_t leaf,
                double key) const;
@@ -91,11 +103,11 @@ class Sweep {
   std::uint32_t higher(std::uint32_t a, std::uint32_t b) const;
   std::uint32_t region_before() const;
   static std::uint32_t deciding_children(const BooleanTree::Node& node, const NodeState& state);
-  bool wait_if_decided(std::uint32_t slot, std::uint32_t leaf, float exit);
+  bool wait_if_decided(std::uint32_t slot, Compound::Item item, float exit);
   void release(double key);
 
   // sweep_surface.cpp: which surface that makes
-  void describe(std::uint32_t before, std::uint32_t after, Transition& found);
+  void describe(const Change& change, Transition& found);
   std::optional<BooleanTree::Link> cause(const Member& member, std::uint32_t region,
                                          bool enters) const;
   bool path_changed(std::uint32_t slot, BooleanTree::Link link, std::uint32_t region,

@@ -48,7 +48,7 @@ struct Sweep::NodeState {
   std::uint32_t group = 0;
   std::uint32_t count = 0;             ///< of true children, now
   std::uint32_t count_before = 0;      ///< and before `group`
-  std::uint32_t waiting = ~0u;         ///< the first leaf that waits for this node to be undecided
+  std::uint32_t waiting = ~0u;         ///< the first item that waits for this node to be undecided
   std::uint32_t waiting_deciders = 0;  ///< how many of them would decide it as they are at rest
   std::uint32_t walk = 0;              ///< the last walk up the tree that came by: path_changed
 };
@@ -60,8 +60,8 @@ struct Sweep::Scratch {
   /// stalls the processor.
   struct Slot {
     Slot(const Compound& c, std::uint32_t at, std::uint32_t node, const Line& in,
-         double displacement)
-        : compound(&c), place(at), first_node(node), line(in), slabs(in, displacement) {}
+         const Bvh::Slabs& prepared)
+        : compound(&c), place(at), first_node(node), line(in), slabs(prepared) {}
 
     const Compound* compound;
     std::uint32_t place;
@@ -71,16 +71,17 @@ struct Sweep::Scratch {
   };
   static constexpr std::uint32_t none = ~0u;
 
-  /// A leaf that cannot matter while its siblings decide the node that it feeds.
+  /// A leaf or unit that cannot matter while its siblings decide the node that it feeds.
   struct Waiting {
-    std::uint32_t slot, leaf;
+    std::uint32_t slot;
+    Compound::Item item;
     float exit;  ///< where the ray leaves its box
     std::uint32_t next;
   };
   struct NodeOfSlot {
     std::uint32_t slot, node;
   };
-  struct Change {
+  struct Rise {
     BooleanTree::Link link;
     bool value;
   };
@@ -95,16 +96,16 @@ struct Sweep::Scratch {
   std::vector<NodeState> nodes;
   std::vector<std::uint32_t> inside;  ///< regions that the sweep is inside of, in no order
   std::vector<Toggle> toggles;        ///< regions that the group has touched
-  std::vector<Change> changes;        ///< on their way up a tree
+  std::vector<Rise> rises;            ///< changes on their way up a tree
   std::vector<Waiting> waiting;
   std::vector<NodeOfSlot> released;  ///< nodes whose waiting leaves may matter now
   std::vector<BooleanTree::Link> path;
   EventBuffer buffer;
 
   void open_slot(const Compound& compound, std::uint32_t place, const Line& line,
-                 double displacement) {
+                 const Bvh::Slabs& slabs) {
     const auto count = static_cast<std::uint32_t>(compound.tree().nodes().size());
-    slots.emplace_back(compound, place, node_count, line, displacement);
+    slots.emplace_back(compound, place, node_count, line, slabs);
     node_count += count;
     if (nodes.size() < node_count) nodes.resize(node_count);
   }

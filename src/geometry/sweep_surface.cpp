@@ -57,7 +57,8 @@ std::optional<Link> Sweep::cause(const Member& member, std::uint32_t region, boo
 /// The surface of a group that changed the medium. What it wears follows from the signs of leaves
 /// and their order of writing; where it is, from the leaf of the least content, so that shuffling
 /// operands changes no bit of that.
-void Sweep::describe(std::uint32_t before, std::uint32_t after, Transition& found) {
+void Sweep::describe(const Change& change, Transition& found) {
+  const auto [before, after] = change;
   constexpr std::uint32_t none = SolidScene::no_region;
   const auto turned = [&](std::uint32_t region) {
     return region != none &&

@@ -19,7 +19,7 @@ template <Sweep::When when>
 void Sweep::feed(std::uint32_t slot, Link link, bool value) {
   const Scratch::Slot& at = s_->slots[slot];
   const BooleanTree& tree = at.compound->tree();
-  const std::size_t bottom = s_->changes.size();
+  const std::size_t bottom = s_->rises.size();
   for (;;) {
     if (link.is_root()) {
       set_region(region_of(slot, link), value, when);
@@ -34,14 +34,18 @@ void Sweep::feed(std::uint32_t slot, Link link, bool value) {
       if (has_waiting && deciding_children(node, state) == 0) {
         s_->released.push_back({slot, link.index()});
       }
+      if (was != is && !node.only_user.is_none()) {
+        link = node.only_user, value = is;
+        continue;
+      }
       if (was != is) {
-        for (const Link up : tree.node_links(link.index())) s_->changes.push_back({up, is});
+        for (const Link up : tree.node_links(link.index())) s_->rises.push_back({up, is});
       }
     }
-    if (s_->changes.size() == bottom) return;
-    link = s_->changes.back().link;
-    value = s_->changes.back().value;
-    s_->changes.pop_back();
+    if (s_->rises.size() == bottom) return;
+    link = s_->rises.back().link;
+    value = s_->rises.back().value;
+    s_->rises.pop_back();
   }
 }
 
@@ -99,49 +103,42 @@ std::uint32_t Sweep::region_before() const {
 }
 
 /// Children of a node that decide it alone, whatever the others are: true ones of a union, false
-/// ones of an intersection. Leaves that wait do not count: nobody knows what they are.
+/// ones of an intersection. What waits does not count: nobody knows what it is.
 std::uint32_t Sweep::deciding_children(const BooleanTree::Node& node, const NodeState& state) {
   const bool is_union = node.operation == Operation::unite;
   return (is_union ? state.count : node.threshold - state.count) - state.waiting_deciders;
 }
 
-/// Lets a leaf wait that cannot matter now, because another child decides the node it feeds: until
+/// Lets an item wait that cannot matter now, because another child decides the node it feeds: until
 /// none does.
-bool Sweep::wait_if_decided(std::uint32_t slot, std::uint32_t leaf, float exit) {
+bool Sweep::wait_if_decided(std::uint32_t slot, Compound::Item item, float exit) {
+  if (item.node == Compound::Item::no_node) return false;
   const Scratch::Slot& at = s_->slots[slot];
-  const BooleanTree& tree = at.compound->tree();
-  const auto links = tree.leaf_links(leaf);
-  if (links.size() != 1 || links.front().is_root()) return false;
-  const std::uint32_t index = links.front().index();
-  const BooleanTree::Node& node = tree.nodes()[index];
-  NodeState& state = s_->state(at, index);
+  const BooleanTree::Node& node = at.compound->tree().nodes()[item.node];
+  NodeState& state = s_->state(at, item.node);
   // What it feeds at rest would decide the node, if it were known.
-  const bool decides = links.front().is_complement() == (node.operation == Operation::unite);
-  const std::uint32_t itself = decides ? 1 : 0;
+  const std::uint32_t itself = item.decides_at_rest ? 1 : 0;
   if (deciding_children(node, state) - itself == 0) return false;
-  s_->waiting.push_back({slot, leaf, exit, state.waiting});
+  s_->waiting.push_back({slot, item, exit, state.waiting});
   state.waiting = static_cast<std::uint32_t>(s_->waiting.size() - 1);
   state.waiting_deciders += itself;
   return true;
 }
 
-/// Opens the leaves that waited for what has happened, unless they are over at t = `key` or have to
-/// wait for something else.
+/// Opens what waited for what has happened, unless it is over at t = `key` or has to wait for
+/// something else.
 void Sweep::release(double key) {
   while (!s_->released.empty()) {
     const Scratch::NodeOfSlot at = s_->released.back();
     s_->released.pop_back();
     const Scratch::Slot& slot = s_->slots[at.slot];
-    const BooleanTree& tree = slot.compound->tree();
-    const bool is_union = tree.nodes()[at.node].operation == Operation::unite;
     std::uint32_t next = std::exchange(s_->state(slot, at.node).waiting, Scratch::none);
     while (next != Scratch::none) {
       const Scratch::Waiting w = s_->waiting[next];
       next = w.next;
-      const bool decides = tree.leaf_links(w.leaf).front().is_complement() == is_union;
-      if (decides) --s_->state(slot, at.node).waiting_deciders;
+      if (w.item.decides_at_rest) --s_->state(slot, at.node).waiting_deciders;
       if (static_cast<double>(w.exit) < key) continue;
-      if (!wait_if_decided(w.slot, w.leaf, w.exit)) open_leaf(w.slot, w.leaf, key);
+      if (!wait_if_decided(w.slot, w.item, w.exit)) open_item(w.slot, w.item, key);
     }
   }
 }

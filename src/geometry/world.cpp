@@ -78,7 +78,7 @@ void World::nearest_transition(const Ray& ray, const Bvh::Slabs& slabs, Hit& hit
   const bool on_sheet = hit.kind == SurfaceKind::sheet;
   const double t_max = on_sheet ? hit.t + hit.tau : hit.t;
   if (solids_.passes_by(slabs, t_max)) return;
-  Sweep sweep(solids_, ray, t_max);
+  Sweep sweep(solids_, ray, slabs, t_max);
   Transition found;
   const bool any = sweep.next(found);
   hit.region_before = hit.region_after = any ? found.before : sweep.region();
@@ -111,9 +111,8 @@ bool World::occluded(const Ray& ray) const {
     return meet_sheet(sheet, ray).has_value();
   });
   if (by_sheet) return true;
-  if (!solids_.passes_by(slabs, ray.t_max)) {
-    Transition found;
-    if (Sweep(solids_, ray).next(found)) return true;
+  if (!solids_.passes_by(slabs, ray.t_max) && Sweep(solids_, ray, slabs, ray.t_max).any()) {
+    return true;
   }
   return triangles_.occluded(ray.line(), ray.t_max);
 }
