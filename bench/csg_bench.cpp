@@ -1,6 +1,6 @@
 // The CSG sweep: rays a second through models of many operands, one thread, a primary ray a pixel
-// and a shadow ray from each surface met; time and memory to build them. `--povray MODEL` writes
-// one of them as a scene for POV-Ray instead.
+// and a shadow ray from each surface met; time and memory to build them. MODEL measures one of
+// them, `--povray MODEL` writes it as a scene for POV-Ray.
 
 #include <string>
 
@@ -95,27 +95,30 @@ void million() {
   report("csg.bytes_per_operand", static_cast<double>(world->solids().bytes()) / 1e6, "B", "<=300");
 }
 
+void measure(const Model& model) {
+  Expression expression;
+  const Term term = model.build(expression);
+  measure(model.name, world_of(std::move(expression), term, model.view), model.view, model.target);
+}
+
+void write(const Model& model) {
+  Expression expression;
+  const Term term = model.build(expression);
+  fmt::print("{}", povray_scene(expression, term, model.view));
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
-  const bool writes = count == 3 && arguments[1] == std::string_view("--povray");
-  for (const Model& model : models) {
-    Expression expression;
-    const Term term = model.build(expression);
-    if (!writes && count == 2) {
-      if (model.name == arguments[1])
-        measure(model.name, world_of(std::move(expression), term, model.view), model.view,
-                model.target);
-      continue;
-    }
-    if (!writes) {
-      measure(model.name, world_of(std::move(expression), term, model.view), model.view,
-              model.target);
-    } else if (model.name == arguments[2]) {
-      fmt::print("{}", povray_scene(expression, term, model.view));
-      return 0;
-    }
+  if (count == 1) {
+    for (const Model& model : models) measure(model);
+    million();
+    return 0;
   }
-  if (writes || count == 2) return 1;
-  million();
+  for (const Model& model : models) {
+    if (model.name != arguments[count - 1]) continue;
+    count == 2 ? measure(model) : write(model);
+    return 0;
+  }
+  return 1;
 }
