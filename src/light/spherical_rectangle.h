@@ -15,6 +15,10 @@ class SphericalRectangle {
   struct Range {
     double min, max;
   };
+  /// By an angle.
+  struct Turn {
+    double cosine = 1, sine = 0;
+  };
   /// `height` > 0; else `solid_angle` is not positive (or NaN) and nothing can be sampled.
   SphericalRectangle(Range x, Range y, double height);
 
@@ -30,7 +34,7 @@ class SphericalRectangle {
   Range x_, y_;
   double height_;
   double slope_min_, slope_max_;  // cosines of the planes through the origin and the edges along x
-  double first_angle_;            // of the edge at x.min
+  Turn first_;                    // by the angle at the edge at x.min
   double solid_angle_;
 };
 
