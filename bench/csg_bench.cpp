@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "blob.h"
 #include "csg_models.h"
 #include "povray_scene.h"
 #include "report.h"
@@ -15,6 +16,7 @@ using namespace lapidary::bench;
 
 constexpr View of_plate{{0, 13, -13}, {0, 0.5, 0}, 50, 0, {-8, 20, -6}};
 constexpr View of_body{{2.6, 2.4, -4}, {0, 0, 0}, 42, -1.5, {-8, 20, -12}};
+constexpr View of_mesh{{2.6, 2.4, -4}, {0, 0, 0}, 28, -1.5, {-8, 20, -12}};
 constexpr int width = 800, height = 600;
 
 geometry::World world_of(Expression expression, Term body, const View& view) {
@@ -84,6 +86,15 @@ void measure(const std::string& name, const geometry::World& world, const View& 
   report("csg." + name + ".picture_seconds", best, "s");
 }
 
+/// A closed mesh of a million triangles with a round hole drilled to its middle.
+void drilled_mesh() {
+  Expression expression;
+  const geometry::MeshBody mesh =
+      geometry::make_mesh_body(std::make_shared<const geometry::TriangleMesh>(blob()));
+  const Term body = drilled(expression, mesh, {{0, 0, 0}, {0.9, 1.2, -1.5}, 0.5});
+  measure("mesh_minus_cylinder", world_of(std::move(expression), body, of_mesh), of_mesh, ">=0.5");
+}
+
 void million() {
   Expression expression;
   const Term plate = perforated_plate(expression, 1250, 800);
@@ -111,5 +122,6 @@ int main(int count, char** arguments) {
     }
   }
   if (writes) return 1;
+  drilled_mesh();
   million();
 }

@@ -30,13 +30,13 @@ std::vector<geometry::Line> lines_through(std::size_t count) {
 
 int main() {
   const auto mesh = std::make_shared<const geometry::TriangleMesh>(bench::blob());
-  const double build = bench::best_seconds(2, [&] { geometry::make_mesh_body(mesh); });
+  const double build = bench::best_cpu_seconds(2, [&] { geometry::make_mesh_body(mesh); });
   bench::report("mesh_body.build_1m", build, "s", "<=1");
   const geometry::MeshBody body = geometry::make_mesh_body(mesh);
   const auto lines = lines_through(400000);
   geometry::EventBuffer events;
   std::size_t crossings = 0;
-  const double query = bench::best_seconds(3, [&] {
+  const double query = bench::best_cpu_seconds(3, [&] {
     crossings = 0;
     for (const geometry::Line& line : lines) {
       intervals(body, line, events);
@@ -44,6 +44,6 @@ int main() {
     }
   });
   const auto count = static_cast<double>(lines.size());
-  bench::report("mesh_body.lines_1m", count / query * 1e-6, "M/s", ">=0.5");
+  bench::report("csg.mesh_body.mlines_per_core", count / query * 1e-6, "M/s", ">=0.5");
   bench::report("mesh_body.events_per_line", static_cast<double>(crossings) / count, "events");
 }
