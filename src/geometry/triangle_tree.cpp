@@ -1,0 +1,197 @@
+#include "geometry/triangle_tree.h"
+
+#include <cmath>
+
+#include <immintrin.h>
+
+/// How lines find the triangles near them. Coordinates are those of the tree, within -1 .. 1.
+namespace lapidary::geometry {
+namespace {
+
+__m256 widened(const std::array<std::uint8_t, 8>& bytes) {
+  const auto* eight = reinterpret_cast<const __m128i*>(bytes.data());
+  return _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadl_epi64(eight)));
+}
+
+template <typename T>
+void prefetch(const T& object) {
+  const auto* bytes = reinterpret_cast<const char*>(&object);
+  for (std::size_t i = 0; i < sizeof(T); i += 64) _mm_prefetch(bytes + i, _MM_HINT_T0);
+}
+
+}  // namespace
+
+/// The line, as thick as all errors make it, for slab tests in float. It is a ray that starts
+/// before everything: by 2 and more before its point nearest to the centre, where everything is
+/// within sqrt(3) of the centre. The direction is scaled so that its largest component is 1.
+///
+/// Error analysis. Distances of planes are (plane - start) / d; with w half the width, lines not
+/// farther than sqrt(3) + w from the centre have |start| <= 5.3 + 4.5 w. Planes are displaced by
+///   - 16 u far at most where they are far away: by roundings of the nearest point, of start and
+///     direction; far is the greatest magnitude of the line's origin,
+///   - 2^-24 (3 |start| + 2), by start, its difference to the grid's origin and the product, in float,
+///   - 2^-24 * 4.5, by products of bytes and quantum, which is at most 2^-6, and by boxes in float,
+///   - 2^-37, where components of d below 2^-40 count as 2^-40;
+/// but for the first these are less than (1 + w) 2^-19. What remains is relative: the inverse in
+/// float and the last sum are off by 2 * 2^-24 of the distance, enter and leave together by less
+/// than 2^-21.
+class TriangleTree::Corridor {
+ public:
+  Corridor(const LineView& view, double scale) {
+    Vec3d d;
+    d[view.z] = view.inverse < 0.0 ? -1.0 : 1.0;
+    d[view.x] = d[view.z] * view.shear_x;
+    d[view.y] = d[view.z] * view.shear_y;
+    const Vec3d origin = view.origin * scale;
+    const double far = max_component(abs(origin));
+    // Sixteen times what is needed to meet the boxes of all triangles that could be touched: also
+    // those that only come near the line count, alike in whatever boxes they are.
+    const double error = 16 * std::max(view.x_error, view.y_error) * scale;
+    const double half_width = std::min(64.0, error + 16 * rounding_unit * far + 0x1p-19);
+    const double t_nearest = -dot(origin, d) / dot(d, d);
+    const Vec3d nearest = origin + d * t_nearest;
+    const double reach = 1.7321 + half_width;
+    passes_by_ = half_width < 64.0 && dot(nearest, nearest) > reach * reach;
+    set(origin + d * (t_nearest - 2 - 2 * half_width), d, half_width * 1.001);
+  }
+
+  bool passes_by() const { return passes_by_; }
+
+  /// The children whose boxes are met, a bit each.
+  unsigned test(const Node& node) const {
+    __m256 enter = _mm256_setzero_ps(), leave = _mm256_set1_ps(1e30f);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float step = node.grid.quantum[axis] * inverse_[axis];
+      const float to_near = (node.grid.origin[axis] - start_near_[axis]) * inverse_[axis];
+      const float to_far = (node.grid.origin[axis] - start_far_[axis]) * inverse_[axis];
+      const __m256 near = widened(node.bounds[near_row_[axis]]) * step + to_near;
+      const __m256 far = widened(node.bounds[near_row_[axis] ^ 1u]) * step + to_far;
+      enter = _mm256_max_ps(enter, near);
+      leave = _mm256_min_ps(leave, far);
+    }
+    const __m256 met = _mm256_cmp_ps(enter, leave * (1.0f + 0x1p-21f), _CMP_LE_OQ);
+    return static_cast<unsigned>(_mm256_movemask_ps(met)) & node.used;
+  }
+
+ private:
+  void set(Vec3d start, Vec3d d, double half_width) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const bool forward = !std::signbit(d[axis]);
+      const double aside = forward ? half_width : -half_width;
+      start_near_[axis] = static_cast<float>(start[axis] + aside);
+      start_far_[axis] = static_cast<float>(start[axis] - aside);
+      inverse_[axis] = static_cast<float>(1.0 / std::max(std::abs(d[axis]), 0x1p-40));
+      if (!forward) inverse_[axis] = -inverse_[axis];
+      near_row_[axis] = static_cast<std::uint32_t>(2 * axis + (forward ? 0 : 1));
+    }
+  }
+
+  std::array<float, 3> start_near_, start_far_, inverse_;
+  std::array<std::uint32_t, 3> near_row_;
+  bool passes_by_;
+};
+
+/// Holds back triangles that the line surely does not cross, eight at a time.
+///
+/// Error analysis. A corner's x is off the one that the view gives by at most
+///   - (quantum.x + |shear| quantum.z) / 2, by being on the grid,
+///   - x_error, by the roundings of the view,
+///   - x_error, by those of `base` in double,
+///   - 5 * 2^-24 (|base| + 255 (quantum.x + |shear| quantum.z)), by base, shear and four operations
+///     in float;
+/// and by x_error once more where the view still counts it as near. With e the sum, turns
+/// x y' - y x' of two corners are off by 2 (|x| e.y + |y| e.x + e.x e.y) and three roundings.
+class TriangleTree::Sieve {
+ public:
+  Sieve(const LineView& view, double scale)
+      : x_(view.x),
+        y_(view.y),
+        z_(view.z),
+        origin_(view.origin * scale),
+        shear_x_(view.shear_x),
+        shear_y_(view.shear_y),
+        x_error_(static_cast<float>(4 * scale * view.x_error)),
+        y_error_(static_cast<float>(4 * scale * view.y_error)) {}
+
+  /// The triangles left, a bit each.
+  unsigned test(const Leaf& leaf) const {
+    const double z = static_cast<double>(leaf.grid.origin[z_]) - origin_[z_];
+    const Sheared x = sheared(leaf, x_, shear_x_, z, x_error_);
+    const Sheared y = sheared(leaf, y_, shear_y_, z, y_error_);
+    const auto turn = [&](std::size_t i, std::size_t j) {
+      return x.corner[i] * y.corner[j] - y.corner[i] * x.corner[j];
+    };
+    const __m256 u = turn(1, 2), v = turn(2, 0), w = turn(0, 1);
+    const __m256 mx = magnitude(x.corner), my = magnitude(y.corner);
+    const __m256 margin =
+        mx * my * 0x1p-22f + (mx * y.error + my * x.error + x.error * y.error) * 2.0f;
+    const __m256 least = _mm256_min_ps(_mm256_min_ps(u, v), w);
+    const __m256 greatest = _mm256_max_ps(_mm256_max_ps(u, v), w);
+    const __m256 missed = _mm256_and_ps(_mm256_cmp_ps(least, -margin, _CMP_LT_OQ),
+                                        _mm256_cmp_ps(greatest, margin, _CMP_GT_OQ));
+    return static_cast<unsigned>(_mm256_movemask_ps(missed)) ^ 255u;
+  }
+
+ private:
+  struct Sheared {
+    __m256 corner[3];  // NOLINT: an argument of a template would lose its alignment
+    float error;
+  };
+
+  Sheared sheared(const Leaf& leaf, std::size_t axis, double shear, double z, float error) const {
+    const double from_line = static_cast<double>(leaf.grid.origin[axis]) - origin_[axis];
+    const auto base = static_cast<float>(from_line - shear * z);
+    const float step = leaf.grid.quantum[axis];
+    const float step_z = static_cast<float>(shear) * leaf.grid.quantum[z_];
+    Sheared s;
+    for (std::size_t i = 0; i < 3; ++i) {
+      s.corner[i] = widened(leaf.corners[3 * i + axis]) * step -
+                    widened(leaf.corners[3 * i + z_]) * step_z + base;
+    }
+    s.error = error + 0.501f * (step + std::abs(step_z)) + 0x1p-21f * std::abs(base);
+    return s;
+  }
+
+  static __m256 magnitude(const __m256 (&a)[3]) {
+    const __m256 sign_bit = _mm256_set1_ps(-0.0f);
+    return _mm256_max_ps(
+        _mm256_max_ps(_mm256_andnot_ps(sign_bit, a[0]), _mm256_andnot_ps(sign_bit, a[1])),
+        _mm256_andnot_ps(sign_bit, a[2]));
+  }
+
+  std::size_t x_, y_, z_;
+  Vec3d origin_;
+  double shear_x_, shear_y_;
+  float x_error_, y_error_;
+};
+
+void TriangleTree::find(const LineView& view, Found& found) const {
+  const Corridor corridor(view, scale_);
+  if (corridor.passes_by()) return;
+  // Breadth first, and leaves after all nodes: so what is next has had time to come from memory.
+  InlineBuffer<std::uint32_t, 256> nodes, leaves;
+  nodes.push(0);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Node& node = nodes_[nodes[i]];
+    for (unsigned met = corridor.test(node); met != 0; met &= met - 1) {
+      const std::uint32_t child = node.child[static_cast<std::size_t>(__builtin_ctz(met))];
+      if (child & leaf_bit) {
+        leaves.push(child & ~leaf_bit);
+        prefetch(leaves_[child & ~leaf_bit]);
+      } else {
+        nodes.push(child);
+        prefetch(nodes_[child]);
+      }
+    }
+  }
+  const Sieve sieve(view, scale_);
+  for (const std::uint32_t i : leaves) {
+    const Leaf& leaf = leaves_[i];
+    for (unsigned left = sieve.test(leaf); left != 0; left &= left - 1) {
+      const Patch triangle = leaf.triangles[static_cast<std::size_t>(__builtin_ctz(left))];
+      if (triangle != no_triangle) found.push(triangle);
+    }
+  }
+}
+
+}  // namespace lapidary::geometry
