@@ -53,6 +53,11 @@ class TriangleShell {
     const auto& [i, j, k] = parts_.triangles[triangle];
     return {parts_.vertices[i], parts_.vertices[j], parts_.vertices[k]};
   }
+  /// Asks for a triangle's corners before they are needed.
+  void prefetch(Patch triangle) const {
+    for (const std::uint32_t v : parts_.triangles[triangle])
+      __builtin_prefetch(&parts_.vertices[v]);
+  }
   void measure();
   void find_normals_of_flat_triangles();
 

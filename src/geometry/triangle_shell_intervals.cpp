@@ -216,6 +216,7 @@ void intervals(const TriangleShell& shell, const Line& line, EventBuffer& events
   const LineView view = view_along(local, shell.reach_, shell.parts_.vertex_error);
   TriangleTree::Found found;
   shell.tree_.find(view, found);
+  for (const Patch triangle : found) shell.prefetch(triangle);
   MetBuffer met;
   for (const Patch triangle : found) {
     const auto corners = shell.relative_corners(triangle);

@@ -29,8 +29,10 @@ void prefetch(const T& object) {
 /// farther than sqrt(3) + w from the centre have |start| <= 5.3 + 4.5 w. Planes are displaced by
 ///   - 16 u far at most where they are far away: by roundings of the nearest point, of start and
 ///     direction; far is the greatest magnitude of the line's origin,
-///   - 2^-24 (3 |start| + 2), by start, its difference to the grid's origin and the product, in float,
-///   - 2^-24 * 4.5, by products of bytes and quantum, which is at most 2^-6, and by boxes in float,
+///   - 2^-24 (4 |start| + 3), by start, its difference to the grid's origin, the product and the
+///   way
+///     across, in float,
+///   - 2^-25, by boxes in float,
 ///   - 2^-37, where components of d below 2^-40 count as 2^-40;
 /// but for the first these are less than (1 + w) 2^-19. What remains is relative: the inverse in
 /// float and the last sum are off by 2 * 2^-24 of the distance, enter and leave together by less
@@ -61,13 +63,13 @@ class TriangleTree::Corridor {
   unsigned test(const Node& node) const {
     __m256 enter = _mm256_setzero_ps(), leave = _mm256_set1_ps(1e30f);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float step = node.grid.quantum[axis] * inverse_[axis];
-      const float to_near = (node.grid.origin[axis] - start_near_[axis]) * inverse_[axis];
-      const float to_far = (node.grid.origin[axis] - start_far_[axis]) * inverse_[axis];
-      const __m256 near = widened(node.bounds[near_row_[axis]]) * step + to_near;
-      const __m256 far = widened(node.bounds[near_row_[axis] ^ 1u]) * step + to_far;
-      enter = _mm256_max_ps(enter, near);
-      leave = _mm256_min_ps(leave, far);
+      const __m256 step = _mm256_set1_ps(node.grid.quantum[axis] * inverse_[axis]);
+      const float to_near = (node.grid.origin[axis] - start_[axis]) * inverse_[axis];
+      const float to_far = to_near + across_[axis];
+      const __m256 near = widened(node.bounds[near_row_[axis]]);
+      const __m256 far = widened(node.bounds[far_row_[axis]]);
+      enter = _mm256_max_ps(enter, _mm256_fmadd_ps(near, step, _mm256_set1_ps(to_near)));
+      leave = _mm256_min_ps(leave, _mm256_fmadd_ps(far, step, _mm256_set1_ps(to_far)));
     }
     const __m256 met = _mm256_cmp_ps(enter, leave * (1.0f + 0x1p-21f), _CMP_LE_OQ);
     return static_cast<unsigned>(_mm256_movemask_ps(met)) & node.used;
@@ -77,17 +79,18 @@ class TriangleTree::Corridor {
   void set(Vec3d start, Vec3d d, double half_width) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const bool forward = !std::signbit(d[axis]);
-      const double aside = forward ? half_width : -half_width;
-      start_near_[axis] = static_cast<float>(start[axis] + aside);
-      start_far_[axis] = static_cast<float>(start[axis] - aside);
-      inverse_[axis] = static_cast<float>(1.0 / std::max(std::abs(d[axis]), 0x1p-40));
-      if (!forward) inverse_[axis] = -inverse_[axis];
-      near_row_[axis] = static_cast<std::uint32_t>(2 * axis + (forward ? 0 : 1));
+      const double inverse = 1.0 / std::max(std::abs(d[axis]), 0x1p-40);
+      start_[axis] = static_cast<float>(start[axis] + (forward ? half_width : -half_width));
+      across_[axis] = static_cast<float>(2 * half_width * inverse);
+      inverse_[axis] = static_cast<float>(forward ? inverse : -inverse);
+      near_row_[axis] = 2 * axis + (forward ? 0 : 1);
+      far_row_[axis] = near_row_[axis] ^ 1u;
     }
   }
 
-  std::array<float, 3> start_near_, start_far_, inverse_;
-  std::array<std::uint32_t, 3> near_row_;
+  std::array<float, 3> start_;  ///< half a width nearer to what the ray comes to along each axis
+  std::array<float, 3> across_, inverse_;
+  std::array<std::size_t, 3> near_row_, far_row_;
   bool passes_by_;
 };
 
@@ -104,22 +107,16 @@ class TriangleTree::Corridor {
 class TriangleTree::Sieve {
  public:
   Sieve(const LineView& view, double scale)
-      : x_(view.x),
-        y_(view.y),
+      : x_(side(view.x, view.shear_x, view.x_error, view.origin, scale)),
+        y_(side(view.y, view.shear_y, view.y_error, view.origin, scale)),
         z_(view.z),
-        origin_(view.origin * scale),
-        shear_x_(view.shear_x),
-        shear_y_(view.shear_y),
-        x_error_(static_cast<float>(4 * scale * view.x_error)),
-        y_error_(static_cast<float>(4 * scale * view.y_error)) {}
+        origin_z_(view.origin[view.z] * scale) {}
 
   /// The triangles left, a bit each.
   unsigned test(const Leaf& leaf) const {
-    const double z = static_cast<double>(leaf.grid.origin[z_]) - origin_[z_];
-    const Sheared x = sheared(leaf, x_, shear_x_, z, x_error_);
-    const Sheared y = sheared(leaf, y_, shear_y_, z, y_error_);
+    const Sheared x = sheared(leaf, x_), y = sheared(leaf, y_);
     const auto turn = [&](std::size_t i, std::size_t j) {
-      return x.corner[i] * y.corner[j] - y.corner[i] * x.corner[j];
+      return _mm256_fmsub_ps(x.corner[i], y.corner[j], y.corner[i] * x.corner[j]);
     };
     const __m256 u = turn(1, 2), v = turn(2, 0), w = turn(0, 1);
     const __m256 mx = magnitude(x.corner), my = magnitude(y.corner);
@@ -133,22 +130,38 @@ class TriangleTree::Sieve {
   }
 
  private:
+  /// One of the two coordinates across the line.
+  struct Side {
+    std::size_t axis;
+    double origin, shear;
+    float float_shear, error;
+  };
+
+  static Side side(std::size_t axis, double shear, double error, Vec3d origin, double scale) {
+    return {axis, origin[axis] * scale, shear, static_cast<float>(shear),
+            static_cast<float>(4 * scale * error)};
+  }
+
   struct Sheared {
     __m256 corner[3];  // NOLINT: an argument of a template would lose its alignment
     float error;
   };
 
-  Sheared sheared(const Leaf& leaf, std::size_t axis, double shear, double z, float error) const {
-    const double from_line = static_cast<double>(leaf.grid.origin[axis]) - origin_[axis];
-    const auto base = static_cast<float>(from_line - shear * z);
-    const float step = leaf.grid.quantum[axis];
-    const float step_z = static_cast<float>(shear) * leaf.grid.quantum[z_];
+  Sheared sheared(const Leaf& leaf, const Side& side) const {
+    const double z = static_cast<double>(leaf.grid.origin[z_]) - origin_z_;
+    const double from_line = static_cast<double>(leaf.grid.origin[side.axis]) - side.origin;
+    const auto base = static_cast<float>(from_line - side.shear * z);
+    const float step = leaf.grid.quantum[side.axis];
+    const float step_z = side.float_shear * leaf.grid.quantum[z_];
     Sheared s;
     for (std::size_t i = 0; i < 3; ++i) {
-      s.corner[i] = widened(leaf.corners[3 * i + axis]) * step -
-                    widened(leaf.corners[3 * i + z_]) * step_z + base;
+      const __m256 across = widened(leaf.corners[3 * i + side.axis]);
+      const __m256 along = widened(leaf.corners[3 * i + z_]);
+      s.corner[i] =
+          _mm256_fmadd_ps(across, _mm256_set1_ps(step),
+                          _mm256_fnmadd_ps(along, _mm256_set1_ps(step_z), _mm256_set1_ps(base)));
     }
-    s.error = error + 0.501f * (step + std::abs(step_z)) + 0x1p-21f * std::abs(base);
+    s.error = side.error + 0.501f * (step + std::abs(step_z)) + 0x1p-21f * std::abs(base);
     return s;
   }
 
@@ -159,10 +172,9 @@ class TriangleTree::Sieve {
         _mm256_andnot_ps(sign_bit, a[2]));
   }
 
-  std::size_t x_, y_, z_;
-  Vec3d origin_;
-  double shear_x_, shear_y_;
-  float x_error_, y_error_;
+  Side x_, y_;
+  std::size_t z_;
+  double origin_z_;
 };
 
 void TriangleTree::find(const LineView& view, Found& found) const {

@@ -15,7 +15,7 @@ namespace lapidary::geometry {
 ///
 /// What a line costs is how much memory it touches, so everything is small: nodes have eight
 /// children and leaves up to eight triangles, in 128 bytes each. Coordinates are bytes on a grid of
-/// the node or leaf (Ylitalo, Karras & Laine 2017), whose coarseness counts as an error of what is
+/// the node or leaf (Ylitie, Karras & Laine 2017), whose coarseness counts as an error of what is
 /// on it. Nothing here decides anything: exact tests see all triangles that could pass them.
 class TriangleTree {
  public:
@@ -24,7 +24,7 @@ class TriangleTree {
 
   TriangleTree() = default;
   /// There are at least one and fewer than 2^31 triangles. Binned surface-area heuristic (Wald
-  /// 2007), collapsed to width 8 at the least cost (Ylitalo, Karras & Laine 2017).
+  /// 2007), collapsed to width 8 at the least cost (Ylitie, Karras & Laine 2017).
   TriangleTree(std::span<const Vec3d> vertices, std::span<const Triangle> triangles);
 
   /// Adds to `found`, each once and in no particular order, at least all triangles that the line of
@@ -32,9 +32,7 @@ class TriangleTree {
   /// `view` was made for all of the vertices.
   void find(const LineView& view, Found& found) const;
 
-  std::size_t bytes() const {
-    return nodes_.size() * sizeof(Node) + leaves_.size() * sizeof(Leaf);
-  }
+  std::size_t bytes() const { return nodes_.size() * sizeof(Node) + leaves_.size() * sizeof(Leaf); }
 
  private:
   static constexpr std::size_t width = 8;
@@ -58,7 +56,7 @@ class TriangleTree {
 
   struct alignas(64) Leaf {
     Grid grid;
-    std::array<Bytes, 9> corners;  ///< row 3 i + axis: corner i along an axis
+    std::array<Bytes, 9> corners;        ///< row 3 i + axis: corner i along an axis
     std::array<Patch, width> triangles;  ///< unused ones are `no_triangle` and lie on the first
   };
 

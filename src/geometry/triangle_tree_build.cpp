@@ -75,7 +75,7 @@ struct TriangleTree::Builder {
     FloatBox box;
     std::size_t begin, size;
     std::array<std::uint32_t, 2> halves;  ///< parts, unless it is a leaf
-    std::array<float, width + 1> cost;  ///< at least, when it may be up to n children of a node
+    std::array<float, width + 1> cost;    ///< at least, when it may be up to n children of a node
     std::array<std::uint8_t, width + 1> for_left;  ///< so many of the n; 0: it is one child
     bool is_leaf() const { return size <= width; }
   };
@@ -203,7 +203,7 @@ struct TriangleTree::Builder {
   }
 
   /// How to spend the children of a node on the halves of a part, and whether to spend only one on
-  /// a node for all of it. Source: Ylitalo, Karras & Laine 2017, section 3.1.
+  /// a node for all of it. Source: Ylitie, Karras & Laine 2017, section 3.1.
   void weigh(Part& part) const {
     const Part &left = parts[part.halves[0]], &right = parts[part.halves[1]];
     for (std::size_t children = 2; children <= width; ++children) {
