@@ -30,13 +30,13 @@ void prefetch(const T& object) {
 ///   - 16 u far at most where they are far away: by roundings of the nearest point, of start and
 ///     direction; far is the greatest magnitude of the line's origin,
 ///   - 2^-24 (4 |start| + 3), by start, its difference to the grid's origin, the product and the
-///   way
-///     across, in float,
+///     way across, in float,
 ///   - 2^-25, by boxes in float,
 ///   - 2^-37, where components of d below 2^-40 count as 2^-40;
 /// but for the first these are less than (1 + w) 2^-19. What remains is relative: the inverse in
 /// float and the last sum are off by 2 * 2^-24 of the distance, enter and leave together by less
-/// than 2^-21.
+/// than 2^-21. A line that may be as far off as `vague` meets everything, like one through the
+/// centre that is as thick.
 class TriangleTree::Corridor {
  public:
   Corridor(const LineView& view, double scale) {
@@ -49,11 +49,15 @@ class TriangleTree::Corridor {
     // Sixteen times what is needed to meet the boxes of all triangles that could be touched: also
     // those that only come near the line count, alike in whatever boxes they are.
     const double error = 16 * std::max(view.x_error, view.y_error) * scale;
-    const double half_width = std::min(64.0, error + 16 * rounding_unit * far + 0x1p-19);
+    const double half_width = error + 16 * rounding_unit * far + 0x1p-19;
+    if (!(half_width < vague)) {
+      set(d * (-2 - 2 * vague), d, vague);
+      return;
+    }
     const double t_nearest = -dot(origin, d) / dot(d, d);
     const Vec3d nearest = origin + d * t_nearest;
     const double reach = 1.7321 + half_width;
-    passes_by_ = half_width < 64.0 && dot(nearest, nearest) > reach * reach;
+    passes_by_ = dot(nearest, nearest) > reach * reach;
     set(origin + d * (t_nearest - 2 - 2 * half_width), d, half_width * 1.001);
   }
 
@@ -76,6 +80,8 @@ class TriangleTree::Corridor {
   }
 
  private:
+  static constexpr double vague = 64;
+
   void set(Vec3d start, Vec3d d, double half_width) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const bool forward = !std::signbit(d[axis]);
@@ -91,7 +97,7 @@ class TriangleTree::Corridor {
   std::array<float, 3> start_;  ///< half a width nearer to what the ray comes to along each axis
   std::array<float, 3> across_, inverse_;
   std::array<std::size_t, 3> near_row_, far_row_;
-  bool passes_by_;
+  bool passes_by_ = false;
 };
 
 /// Holds back triangles that the line surely does not cross, eight at a time.

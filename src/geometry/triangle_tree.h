@@ -37,7 +37,6 @@ class TriangleTree {
  private:
   static constexpr std::size_t width = 8;
   static constexpr std::uint32_t leaf_bit = 0x80000000u;
-  static constexpr std::size_t stack_size = 512;
   static constexpr Patch no_triangle = ~Patch{0};
 
   using Bytes = std::array<std::uint8_t, width>;

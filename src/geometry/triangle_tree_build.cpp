@@ -15,8 +15,7 @@ namespace {
 constexpr std::size_t bins = 16;
 /// What testing a leaf costs, when testing a node costs 1.
 constexpr float leaf_cost = 1.5f;
-// Deeper than this, halves by count replace the heuristic, so that the walk's stack suffices for
-// any input: 7 entries a level, 40 levels here and 28 below for 2^31 triangles.
+// Deeper than this, halves by count replace the heuristic: no input makes the recursion deep.
 constexpr int heuristic_depth = 40;
 
 /// Lanes 0, 1, 2: minima; 4, 5, 6: negated maxima; lane 3 is not a coordinate, lane 7 is 0.

@@ -90,7 +90,7 @@ TEST(MeshCut, IsTightAlongItsRimAndAtItsCap) {
   const Cut cut;
   Random random(71);
   int pieces = 0;
-  for (int i = 0; i < 30000; ++i) {
+  for (int i = 0; i < 10000; ++i) {
     Vec3d target = i % 3 == 2 ? cut.cap(random) : cut.rim(random);
     if (random.index(2) == 0) target += random.direction() * random.magnitude(-17, -2);
     const Vec3d from = random.direction() * random.uniform(3, 5);
@@ -100,7 +100,7 @@ TEST(MeshCut, IsTightAlongItsRimAndAtItsCap) {
         check_ray(cut, ray, i % 10 == 0 ? Against::points : Against::parity, pieces))
         << "ray " << i;
   }
-  EXPECT_GT(pieces, 6000);
+  EXPECT_GT(pieces, 2000);
 }
 
 }  // namespace
