@@ -2,8 +2,10 @@
 // and a shadow ray from each surface met; time and memory to build them. MODEL measures one of
 // them, `--povray MODEL` writes it as a scene for POV-Ray.
 
+#include <random>
 #include <string>
 
+#include "blob.h"
 #include "csg_models.h"
 #include "povray_scene.h"
 #include "report.h"
@@ -15,6 +17,7 @@ using namespace lapidary::bench;
 
 constexpr View of_plate{{0, 13, -13}, {0, 0.5, 0}, 50, 0, {-8, 20, -6}};
 constexpr View of_body{{2.6, 2.4, -4}, {0, 0, 0}, 42, -1.5, {-8, 20, -12}};
+constexpr View of_mesh{{2.6, 2.4, -4}, {0, 0, 0}, 28, -1.5, {-8, 20, -12}};
 constexpr int width = 800, height = 600;
 
 geometry::World world_of(Expression expression, Term body, const View& view) {
@@ -84,6 +87,39 @@ void measure(const std::string& name, const geometry::World& world, const View& 
   report("csg." + name + ".picture_seconds", best, "s");
 }
 
+std::vector<geometry::Line> lines_through(std::size_t count) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> gauss;
+  const auto direction = [&] {
+    return normalize(Vec3d{gauss(random), gauss(random), gauss(random)});
+  };
+  std::vector<geometry::Line> lines(count);
+  for (geometry::Line& line : lines) {
+    line.origin = direction() * 2.0;
+    line.direction = direction() * 0.9 - line.origin;
+  }
+  return lines;
+}
+
+/// A closed mesh of a million triangles: to prepare it, full lines through it without any order,
+/// and a picture of it with a round hole drilled to its middle.
+void million_triangles() {
+  const auto mesh = std::make_shared<const geometry::TriangleMesh>(blob());
+  report("csg.mesh_body.build_seconds",
+         best_cpu_seconds(2, [&] { geometry::make_mesh_body(mesh); }), "s", "<=1");
+  const geometry::MeshBody body = geometry::make_mesh_body(mesh);
+  const auto lines = lines_through(400000);
+  geometry::EventBuffer events;
+  const double query = best_cpu_seconds(3, [&] {
+    for (const geometry::Line& line : lines) intervals(body, line, events);
+  });
+  report("csg.mesh_body.mlines_per_core", static_cast<double>(lines.size()) / query / 1e6, "M/s",
+         ">=0.5");
+  Expression expression;
+  const Term term = drilled(expression, body, {{0, 0, 0}, {0.9, 1.2, -1.5}, 0.5});
+  measure("mesh_minus_cylinder", world_of(std::move(expression), term, of_mesh), of_mesh, ">=0.5");
+}
+
 void million() {
   Expression expression;
   const Term plate = perforated_plate(expression, 1250, 800);
@@ -112,6 +148,7 @@ void write(const Model& model) {
 int main(int count, char** arguments) {
   if (count == 1) {
     for (const Model& model : models) measure(model);
+    million_triangles();
     million();
     return 0;
   }

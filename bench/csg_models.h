@@ -54,6 +54,12 @@ inline Term menger_sponge(Expression& expression, int level) {
   return expression.add(Operation::intersect, operands);
 }
 
+/// A solid with a round hole.
+inline Term drilled(Expression& expression, const Solid& solid, const Cylinder& hole) {
+  const Term operands[]{leaf(expression, solid), ~leaf(expression, hole)};
+  return expression.add(Operation::intersect, operands);
+}
+
 /// A binary tree of differences, unions and intersections in turn, 2^depth random leaves.
 class AlternatingTree {
  public:

@@ -45,4 +45,11 @@ double best_seconds(int runs, Work&& work) {
   return best;
 }
 
+template <typename Work>
+double best_cpu_seconds(int runs, Work&& work) {
+  double best = cpu_seconds(work);
+  for (int i = 1; i < runs; ++i) best = std::min(best, cpu_seconds(work));
+  return best;
+}
+
 }  // namespace lapidary::bench

@@ -21,17 +21,6 @@ Vec3d area_vector(const std::array<Vec3d, 3>& c) {
   return fused_cross(c[1] - c[0], c[2] - c[0]);
 }
 
-/// Spreads the low 21 bits of x out, two zeros before each.
-std::uint64_t every_third_bit(std::uint64_t x) {
-  x &= 0x1fffff;
-  x = (x | x << 32) & 0x001f00000000ffff;
-  x = (x | x << 16) & 0x001f0000ff0000ff;
-  x = (x | x << 8) & 0x100f00f00f00f00f;
-  x = (x | x << 4) & 0x10c30c30c30c30c3;
-  x = (x | x << 2) & 0x1249249249249249;
-  return x;
-}
-
 double one_norm(const Mat3& m) {
   double sum = 0;
   for (const Vec3d& row : m.row) sum += std::abs(row.x) + std::abs(row.y) + std::abs(row.z);
@@ -46,7 +35,7 @@ TriangleShell::TriangleShell(Parts parts) : parts_(std::move(parts)) {
   }
   measure();
   if (!flat_normals_.empty()) find_normals_of_flat_triangles();
-  bundle();
+  tree_ = TriangleTree(parts_.vertices, parts_.triangles);
 }
 
 std::array<Vec3d, 3> TriangleShell::corners(Patch triangle) const {
@@ -88,46 +77,6 @@ void TriangleShell::find_normals_of_flat_triangles() {
     for (const std::uint32_t v : parts_.triangles[triangle]) normal += around[v];
     normal = normal == Vec3d() ? Vec3d(0, 0, 1) : normalize(normal);
   }
-}
-
-/// All triangles in the order of a space-filling curve through the middles of their boxes (Morton
-/// 1966), so that those with near numbers are near.
-std::vector<Patch> TriangleShell::along_curve() const {
-  const double reach = max_component(reach_);
-  const double cells_per_unit = reach > 0.0 ? 0x1p20 / reach : 0.0;
-  std::vector<std::pair<std::uint64_t, Patch>> keys(parts_.triangles.size());
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const auto triangle = static_cast<Patch>(i);
-    Box3d box;
-    for (const Vec3d& c : relative_corners(triangle)) box.extend(c);
-    const Vec3d cell = (box.center() + Vec3d{reach, reach, reach}) * cells_per_unit;
-    const auto bits = [](double x) { return every_third_bit(static_cast<std::uint64_t>(x)); };
-    keys[i] = {bits(cell.x) | bits(cell.y) << 1 | bits(cell.z) << 2, triangle};
-  }
-  std::ranges::sort(keys);
-  std::vector<Patch> order(keys.size());
-  std::ranges::transform(keys, order.begin(), [](const auto& key) { return key.second; });
-  return order;
-}
-
-void TriangleShell::bundle() {
-  const std::vector<Patch> order = along_curve();
-  bundles_.resize((order.size() + lanes - 1) / lanes);
-  std::vector<Box3d> boxes(bundles_.size());
-  bundles_.back().triangles.fill(no_triangle);
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    Bundle& b = bundles_[i / lanes];
-    const auto corners = relative_corners(order[i]);
-    b.triangles[i % lanes] = order[i];
-    for (std::size_t row = 0; row < 9; ++row) {
-      const double exact = corners[row / 3][row % 3];
-      const float rounded = static_cast<float>(exact);
-      b.corners[row][i % lanes] = rounded;
-      bundle_error_ = std::max(bundle_error_, std::abs(static_cast<double>(rounded) - exact));
-    }
-    for (const Vec3d& c : corners) boxes[i / lanes].extend(c);
-  }
-  bvh_ = Bvh(boxes);
 }
 
 Vec3d TriangleShell::normal(Patch triangle) const {

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/bvh.h"
 #include "geometry/interval_events.h"
 #include "geometry/surface_point.h"
+#include "geometry/triangle_tree.h"
 #include "math/interval.h"
 #include "math/transform.h"
 
@@ -21,7 +21,7 @@ namespace lapidary::geometry {
 /// one rounding.
 class TriangleShell {
  public:
-  using Triangle = std::array<std::uint32_t, 3>;
+  using Triangle = TriangleTree::Triangle;
 
   struct Parts {
     Vec3d origin;
@@ -49,32 +49,21 @@ class TriangleShell {
   friend void intervals(const TriangleShell& shell, const Line& line, EventBuffer& events);
 
  private:
-  static constexpr std::size_t lanes = 4;
-  static constexpr Patch no_triangle = ~Patch{0};
-
-  /// Neighbours that share a box of the hierarchy, for tests four at a time: their corners in
-  /// float, which is good enough to see which of them a line may cross.
-  struct alignas(32) Bundle {
-    std::array<std::array<float, lanes>, 9> corners;  ///< row 3 i + axis: corner i along an axis
-    std::array<Patch, lanes> triangles;               ///< `no_triangle` fills up the last one
-  };
-
-  struct Query;
-
   std::array<Vec3d, 3> relative_corners(Patch triangle) const {
     const auto& [i, j, k] = parts_.triangles[triangle];
     return {parts_.vertices[i], parts_.vertices[j], parts_.vertices[k]};
   }
+  /// Asks for a triangle's corners before they are needed.
+  void prefetch(Patch triangle) const {
+    for (const std::uint32_t v : parts_.triangles[triangle])
+      __builtin_prefetch(&parts_.vertices[v]);
+  }
   void measure();
   void find_normals_of_flat_triangles();
-  std::vector<Patch> along_curve() const;
-  void bundle();
 
   Parts parts_;
   Vec3d reach_;  ///< greatest magnitudes of coordinates of the vertices
-  std::vector<Bundle> bundles_;
-  double bundle_error_ = 0;      ///< of coordinates by being float; 0 where all of them are floats
-  Bvh bvh_;                      ///< of the bundles
+  TriangleTree tree_;
   std::vector<double> area_to_;  ///< of all triangles up to this one
   double volume_ = 0;
   std::vector<std::pair<Patch, Vec3d>> flat_normals_;  ///< of triangles without area, in order

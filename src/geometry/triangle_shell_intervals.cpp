@@ -37,57 +37,6 @@ namespace {
 
 constexpr double u_ = rounding_unit;
 
-/// Vertices in the coordinates of a line, and how exact they are.
-struct View {
-  std::size_t x, y, z;  ///< axes in cyclic order
-  Vec3d origin;
-  double shear_x, shear_y, inverse;  ///< d.x/d.z, d.y/d.z, 1/d.z
-  Vec2d shift;                       ///< in which direction ties are broken
-  double x_error, y_error, t_error;
-
-  /// (x, y, t)
-  Vec3d operator()(Vec3d v) const {
-    const Vec3d a = v - origin;
-    return {std::fma(-shear_x, a[z], a[x]), std::fma(-shear_y, a[z], a[y]), a[z] * inverse};
-  }
-};
-
-std::size_t longest_axis(Vec3d d) {
-  const Vec3d a = abs(d);
-  return a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
-}
-
-/// `line` is relative to the shell's origin, with the rounding of that in its error; coordinates of
-/// vertices are at most `reach`, off by at most `vertex_error`.
-///
-/// With |A| <= R = reach + |origin|, each component of A is off by
-///     a = u R + vertex_error + origin_error,
-/// the shears by u and, for delta = direction_error, by delta (1 + shear) / (|d.z| - delta)
-/// <= 4 delta/|d.z|, since delta < |d.z|/2. So with one rounding of x,
-///     |x error| <= a + shear (a + u R) + 4 delta R/|d.z| + u (R + shear R)
-///     |t error| <= (a + 2 u R + 2 delta R/|d.z|) / |d.z|
-View view_along(const Line& line, Vec3d reach, double vertex_error) {
-  View s;
-  s.z = longest_axis(line.direction), s.x = (s.z + 1) % 3, s.y = (s.z + 2) % 3;
-  s.origin = line.origin;
-  const Vec3d d = line.direction;
-  s.shear_x = d[s.x] / d[s.z], s.shear_y = d[s.y] / d[s.z], s.inverse = 1.0 / d[s.z];
-  s.shift = {std::fma(-s.shear_x, tie_shift[s.z], tie_shift[s.x]),
-             std::fma(-s.shear_y, tie_shift[s.z], tie_shift[s.y])};
-  if (s.shift == Vec2d()) s.shift = {1.0, 0.0};
-  const Vec3d r = (reach + abs(line.origin)) * (1 + 4 * u_);
-  const double stated = vertex_error + line.origin_error;
-  const double turn = 4 * line.direction_error * std::abs(s.inverse) * r[s.z];
-  const double a_z = u_ * r[s.z] + stated;
-  const auto sheared_error = [&](std::size_t axis, double shear) {
-    return 2 * u_ * r[axis] + stated + shear * (a_z + 2 * u_ * r[s.z]) + turn;
-  };
-  s.x_error = sheared_error(s.x, std::abs(s.shear_x));
-  s.y_error = sheared_error(s.y, std::abs(s.shear_y));
-  s.t_error = (a_z + 2 * u_ * r[s.z] + 0.5 * turn) * std::abs(s.inverse);
-  return s;
-}
-
 int sign_of(double x) {
   return (x > 0.0) - (x < 0.0);
 }
@@ -110,14 +59,14 @@ int turn_of_tie(Vec2d a, Vec2d b, Vec2d shift) {
   return -order(a, b) * side * order({}, p);
 }
 
-int turn(const View& view, Vec3d a, Vec3d b) {
+int turn(const LineView& view, Vec3d a, Vec3d b) {
   const Vec2d a2{a.x, a.y}, b2{b.x, b.y};
   const int sign = cross_sign(a2, b2);
   return sign != 0 ? sign : turn_of_tie(a2, b2, view.shift);
 }
 
 /// How the line turns around a triangle: +1 or -1 as its edges do, 0 when they disagree.
-int turn(const View& view, const std::array<Vec3d, 3>& p) {
+int turn(const LineView& view, const std::array<Vec3d, 3>& p) {
   const int first = turn(view, p[0], p[1]);
   return first == turn(view, p[1], p[2]) && first == turn(view, p[2], p[0]) ? first : 0;
 }
@@ -133,9 +82,16 @@ double magnitude(double a, double b, double c) {
   return std::max(std::max(std::abs(a), std::abs(b)), std::abs(c));
 }
 
-/// Whether the line may cross the triangle when vertices move by up to their errors e: each turn
-/// is off by at most 2 (|x| e.y + |y| e.x + e.x e.y), and by 3 roundings.
-bool may_cross(const View& view, const std::array<Vec3d, 3>& p) {
+bool reaches_zero(double a, double b, double c, double error) {
+  return std::min(std::min(a, b), c) <= error && std::max(std::max(a, b), c) >= -error;
+}
+
+/// Whether the line may cross the triangle when vertices move by up to their errors e: its box is
+/// met, and turns, each off by at most 2 (|x| e.y + |y| e.x + e.x e.y) and by 3 roundings, may have
+/// one sign. Turns alone say nothing where the line lies in the triangle's plane.
+bool may_cross(const LineView& view, const std::array<Vec3d, 3>& p) {
+  if (!reaches_zero(p[0].x, p[1].x, p[2].x, view.x_error)) return false;
+  if (!reaches_zero(p[0].y, p[1].y, p[2].y, view.y_error)) return false;
   const double u = std::fma(p[1].x, p[2].y, -(p[1].y * p[2].x));
   const double v = std::fma(p[2].x, p[0].y, -(p[2].y * p[0].x));
   const double w = std::fma(p[0].x, p[1].y, -(p[0].y * p[1].x));
@@ -143,41 +99,6 @@ bool may_cross(const View& view, const std::array<Vec3d, 3>& p) {
   const double margin =
       2 * (x * view.y_error + y * view.x_error + view.x_error * view.y_error) + 4 * u_ * x * y;
   return !(std::min(std::min(u, v), w) < -margin && std::max(std::max(u, v), w) > margin);
-}
-
-/// The same for four triangles at once, bit by bit, as well as their corners in float tell.
-unsigned may_cross(const View& view, const std::array<std::array<float, 4>, 9>& corners,
-                   double x_error, double y_error) {
-  __m256d x[3], y[3];
-  const auto difference = [&](std::size_t corner, std::size_t axis) {
-    return _mm256_sub_pd(_mm256_cvtps_pd(_mm_load_ps(corners[3 * corner + axis].data())),
-                         _mm256_set1_pd(view.origin[axis]));
-  };
-  for (std::size_t i = 0; i < 3; ++i) {
-    const __m256d z = difference(i, view.z);
-    x[i] = _mm256_fnmadd_pd(_mm256_set1_pd(view.shear_x), z, difference(i, view.x));
-    y[i] = _mm256_fnmadd_pd(_mm256_set1_pd(view.shear_y), z, difference(i, view.y));
-  }
-  const auto turn = [&](std::size_t i, std::size_t j) {
-    return _mm256_fmsub_pd(x[i], y[j], _mm256_mul_pd(y[i], x[j]));
-  };
-  const __m256d u = turn(1, 2), v = turn(2, 0), w = turn(0, 1);
-  const __m256d sign_bit = _mm256_set1_pd(-0.0);
-  const auto magnitude = [&](const __m256d(&a)[3]) {
-    return _mm256_max_pd(
-        _mm256_max_pd(_mm256_andnot_pd(sign_bit, a[0]), _mm256_andnot_pd(sign_bit, a[1])),
-        _mm256_andnot_pd(sign_bit, a[2]));
-  };
-  const __m256d mx = magnitude(x), my = magnitude(y);
-  const __m256d margin = _mm256_fmadd_pd(
-      mx, _mm256_fmadd_pd(_mm256_set1_pd(4 * u_), my, _mm256_set1_pd(2 * y_error)),
-      _mm256_fmadd_pd(my, _mm256_set1_pd(2 * x_error), _mm256_set1_pd(2 * x_error * y_error)));
-  const __m256d least = _mm256_min_pd(_mm256_min_pd(u, v), w);
-  const __m256d greatest = _mm256_max_pd(_mm256_max_pd(u, v), w);
-  const __m256d missed =
-      _mm256_and_pd(_mm256_cmp_pd(least, _mm256_xor_pd(margin, sign_bit), _CMP_LT_OQ),
-                    _mm256_cmp_pd(greatest, margin, _CMP_GT_OQ));
-  return static_cast<unsigned>(_mm256_movemask_pd(missed)) ^ 15u;
 }
 
 /// Bounds on the slopes of t over x and y, of the plane through the points: the normal's components
@@ -197,7 +118,7 @@ Vec2d slope_bounds(const std::array<Vec3d, 3>& p, double doubled_area) {
 /// On a hit all turns have one sign, so the weights, their sum and the quotients are good to
 /// 10 u; they err only within the triangle, by 10 u of its extent in t. On a near miss turns of the
 /// other sign count as zero: the point is on the nearest edge or corner.
-Met meet(const View& view, const std::array<Vec3d, 3>& p, Patch triangle, int sign) {
+Met meet(const LineView& view, const std::array<Vec3d, 3>& p, Patch triangle, int sign) {
   Vec3d weights{difference_of_products(p[1].x, p[2].y, p[1].y, p[2].x),
                 difference_of_products(p[2].x, p[0].y, p[2].y, p[0].x),
                 difference_of_products(p[0].x, p[1].y, p[0].y, p[1].x)};
@@ -284,45 +205,6 @@ void push_events(MetBuffer& met, EventBuffer& events) {
 
 }  // namespace
 
-/// The triangles of a shell that a line meets.
-struct TriangleShell::Query {
-  const TriangleShell& shell;
-  const Line& line;
-  View view;
-  MetBuffer met;
-
-  void test(Patch triangle) {
-    const auto corners = shell.relative_corners(triangle);
-    const std::array<Vec3d, 3> p{view(corners[0]), view(corners[1]), view(corners[2])};
-    if (!may_cross(view, p)) return;
-    const int sign = turn(view, p);
-    if (sign == 0 && is_edge_on(corners, line)) return;
-    met.push(meet(view, p, triangle, sign));
-  }
-
-  void test(const Bundle& bundle, double x_error, double y_error) {
-    unsigned candidates = may_cross(view, bundle.corners, x_error, y_error);
-    for (; candidates != 0; candidates &= candidates - 1) {
-      const Patch triangle = bundle.triangles[static_cast<std::size_t>(__builtin_ctz(candidates))];
-      if (triangle != no_triangle) test(triangle);
-    }
-  }
-
-  void run(double origin_error) {
-    const double x_error = view.x_error + shell.bundle_error_ * (1 + std::abs(view.shear_x));
-    const double y_error = view.y_error + shell.bundle_error_ * (1 + std::abs(view.shear_y));
-    const Line wide{view.origin, line.direction, origin_error};
-    // Bundles are tested after the walk, when they have arrived from memory.
-    InlineBuffer<std::uint32_t, 128> near;
-    shell.bvh_.walk_line(wide, [&](std::uint32_t i) {
-      const auto* bytes = reinterpret_cast<const char*>(&shell.bundles_[i]);
-      for (std::size_t k = 0; k < sizeof(Bundle); k += 64) _mm_prefetch(bytes + k, _MM_HINT_T0);
-      near.push(i);
-    });
-    for (const std::uint32_t i : near) test(shell.bundles_[i], x_error, y_error);
-  }
-};
-
 void intervals(const TriangleShell& shell, const Line& line, EventBuffer& events) {
   events.clear();
   if (2 * line.direction_error >= max_component(abs(line.direction))) return;
@@ -331,10 +213,20 @@ void intervals(const TriangleShell& shell, const Line& line, EventBuffer& events
     local.origin = line.origin - shell.parts_.origin;
     local.origin_error += u_ * max_component(abs(local.origin));
   }
-  const View view = view_along(local, shell.reach_, shell.parts_.vertex_error);
-  TriangleShell::Query query{shell, line, view, {}};
-  query.run(std::max(view.x_error, view.y_error));
-  push_events(query.met, events);
+  const LineView view = view_along(local, shell.reach_, shell.parts_.vertex_error);
+  TriangleTree::Found found;
+  shell.tree_.find(view, found);
+  for (const Patch triangle : found) shell.prefetch(triangle);
+  MetBuffer met;
+  for (const Patch triangle : found) {
+    const auto corners = shell.relative_corners(triangle);
+    const std::array<Vec3d, 3> p{view(corners[0]), view(corners[1]), view(corners[2])};
+    if (!may_cross(view, p)) continue;
+    const int sign = turn(view, p);
+    if (sign == 0 && is_edge_on(corners, line)) continue;
+    met.push(meet(view, p, triangle, sign));
+  }
+  push_events(met, events);
 }
 
 }  // namespace lapidary::geometry
