@@ -55,11 +55,11 @@ class LathePoints {
 
   Real distance(Point p) const {
     Real least = infinity;
-    if (is_in_turn(p)) least = profile_distance(std::hypot(p.x, p.y), p.z);
+    if (is_in_turn(p)) least = profile_distance(std::hypot(p.x, p.y), p.z, Axis::left_out);
     if (degrees_ == 360) return least;
     for (const Point out : {Point(1, 0, 0), end_}) {
       const Real r = dot(p, out), off = cross(p, out).z;
-      const Real within = is_in_profile(r, p.z) ? 0 : profile_distance(r, p.z);
+      const Real within = is_in_profile(r, p.z) ? 0 : profile_distance(r, p.z, Axis::counts);
       least = std::min(least, std::hypot(off, within));
     }
     return least;
@@ -107,6 +107,8 @@ class LathePoints {
   struct Edge {
     Real ra, za, rb, zb;
   };
+  /// Whether edges on the axis count: they bound caps, but make no surface.
+  enum class Axis : std::uint8_t { counts, left_out };
 
   Point end_normal() const { return {-end_.y, end_.x, 0}; }
   bool is_in_profile(Real r, Real z) const {
@@ -117,10 +119,10 @@ class LathePoints {
     }
     return inside && r >= 0;
   }
-  Real profile_distance(Real r, Real z) const {
+  Real profile_distance(Real r, Real z, Axis axis) const {
     Real least = infinity;
     for (const auto& [ra, za, rb, zb] : edges_) {
-      if (ra == 0 && rb == 0) continue;
+      if (axis == Axis::left_out && ra == 0 && rb == 0) continue;
       const Real dr = rb - ra, dz = zb - za;
       const Real s = std::clamp<Real>(((r - ra) * dr + (z - za) * dz) / (dr * dr + dz * dz), 0, 1);
       least = std::min(least, std::hypot(ra + s * dr - r, za + s * dz - z));
