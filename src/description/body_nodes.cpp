@@ -98,6 +98,15 @@ NodeKind polyhedron() {
   });
 }
 
+/// Of a polygon, if it is not too many.
+std::size_t count_points(const std::vector<Vec2d>& points,
+                         const std::vector<std::vector<Vec2d>>& holes, const Context& context) {
+  std::size_t count = points.size();
+  for (const auto& hole : holes) count += hole.size();
+  check_count(count, most_vertices, context.at("points"));
+  return count;
+}
+
 struct PrismParameters {
   std::vector<Vec2d> points;
   std::vector<std::vector<Vec2d>> holes;
@@ -129,9 +138,7 @@ NodeKind prism() {
                          "a pyramid.",
                   .range = schema::non_negative});
   return node_kind(declare_object(d), [](Parameters&& p, const Context& context) {
-    std::size_t count = p.points.size();
-    for (const auto& hole : p.holes) count += hole.size();
-    check_count(count, most_vertices, context.at("points"));
+    const std::size_t count = count_points(p.points, p.holes, context);
     try {
       const Solid made = geometry::make_prism({p.points, p.holes}, p.height, p.scale);
       schema::Node node = object_node(made, std::move(p), context);
@@ -143,10 +150,51 @@ NodeKind prism() {
   });
 }
 
+struct LatheParameters {
+  std::vector<Vec2d> points;
+  std::vector<std::vector<Vec2d>> holes;
+  double angle = 360.0;
+};
+
+NodeKind lathe() {
+  using P = LatheParameters;
+  using Parameters = ObjectOf<P>;
+  Declaration<Parameters> d(
+      {.name = "lathe",
+       .doc = "What a polygon sweeps as it turns about the z axis.",
+       .section = section,
+       .examples = {"lathe { points = { { 0, 0 }, { 1, 0 }, { 0.2, 0.4 }, { 0.5, 2 }, { 0, 2 } } }",
+                    "lathe { points = { { 1, 0 }, { 2, 0 }, { 2, 0.5 } }, angle = 270 }"}});
+  d.parameter("points", &P::points,
+              {.doc = "The outline: corners {r, z}, distance from the axis and height, in order "
+                      "either way round.",
+               .unit = Unit::length,
+               .need = schema::Need::required})
+      .parameter("holes", &P::holes,
+                 {.doc = "Lists of corners {r, z}, each a hollow all the way around.",
+                  .unit = Unit::length})
+      .parameter("angle", &P::angle,
+                 {.doc = "How far it turns, counter-clockwise from the x axis; less than 360 ends "
+                         "in flat faces.",
+                  .unit = Unit::degrees,
+                  .range = {0, 360, schema::Range::End::open}});
+  return node_kind(declare_object(d), [](Parameters&& l, const Context& context) {
+    const std::size_t count = count_points(l.points, l.holes, context);
+    try {
+      const Solid made = geometry::make_lathe({l.points, l.holes}, l.angle);
+      schema::Node node = object_node(made, std::move(l), context);
+      node.bytes += 256 * count;
+      return node;
+    } catch (const Error& error) {
+      throw context.error(error.problem(), error.hint());
+    }
+  });
+}
+
 }  // namespace
 
 std::vector<NodeKind> body_kinds() {
-  return {polyhedron(), prism()};
+  return {polyhedron(), prism(), lathe()};
 }
 
 }  // namespace lapidary::description

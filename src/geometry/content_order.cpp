@@ -40,6 +40,10 @@ int compare(const Prism& a, const Prism& b) {
   return compare_content(a, b);
 }
 
+int compare(const Lathe& a, const Lathe& b) {
+  return compare_content(a, b);
+}
+
 /// Plain structs of doubles, by their bits.
 template <typename Kind>
 int compare(const Kind& a, const Kind& b) {

@@ -8,6 +8,7 @@
 #include "geometry/cylinder.h"
 #include "geometry/half_space.h"
 #include "geometry/interval_events.h"
+#include "geometry/lathe.h"
 #include "geometry/mesh_body.h"
 #include "geometry/polyhedron.h"
 #include "geometry/prism.h"
@@ -35,7 +36,7 @@ namespace lapidary::geometry {
 /// inline. Copying a kind does not throw, so a Solid is never without value; what does not fit into
 /// 64 bytes is a shared pointer to const.
 using Solid = std::variant<Sphere, Box, HalfSpace, Cylinder, MeshBody, Polyhedron, Cone, Prism,
-                           Torus, Quadric>;
+                           Torus, Quadric, Lathe>;
 
 /// Every exact event of the solid on the line has a reported one within its tau, and no other is
 /// reported, except that chords no longer than the tau of their ends may be missing or extra.

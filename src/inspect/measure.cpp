@@ -17,6 +17,7 @@ using geometry::Box;
 using geometry::Cone;
 using geometry::Cylinder;
 using geometry::HalfSpace;
+using geometry::Lathe;
 using geometry::MeshBody;
 using geometry::Polyhedron;
 using geometry::Prism;
@@ -48,6 +49,7 @@ struct VolumeOf {
   double operator()(const MeshBody& m) const { return m.volume(); }
   double operator()(const Polyhedron& p) const { return p.volume(); }
   double operator()(const Prism& p) const { return p.volume(); }
+  double operator()(const Lathe& l) const { return l.volume(); }
 };
 
 std::optional<double> finite(double value) {

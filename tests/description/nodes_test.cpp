@@ -114,6 +114,24 @@ TEST_F(NodeTest, PrismsAreDrawnOutPolygons) {
               HasSubstr("greater than 0"));
 }
 
+TEST_F(NodeTest, LathesAreTurnedPolygons) {
+  const auto ring = solid<geometry::Lathe>(
+      "lathe",
+      "{points = {{1, 0}, {2, 0}, {2, 1}, {1, 1}}, holes = {{{1.25, 0.25}, {1.75, 0.25}, "
+      "{1.75, 0.75}, {1.25, 0.75}}}}");
+  EXPECT_NEAR(ring.volume(), 2 * pi * 1.5 * 0.75, 1e-14);
+  const auto part =
+      solid<geometry::Lathe>("lathe", "{points = {{0, 0}, {3, 0}, {0, 3}}, angle = 60}");
+  EXPECT_NEAR(part.volume(), 9 * pi / 6, 1e-14);
+  EXPECT_EQ(make_.error_of("lathe", "{points = {{0, 0}, {1, 1}, {1, 0}, {0, 1}}}"),
+            "scene.lua:7: the edge from points[3] to points[4] touches that from points[1] to "
+            "points[2] (outlines must not cross or touch themselves or each other)");
+  EXPECT_THAT(make_.error_of("lathe", "{points = {{0, 0}, {1, 0}, {-1, 1}}}"),
+              HasSubstr("points[3] has the radius -1"));
+  EXPECT_THAT(make_.error_of("lathe", "{points = {{0, 0}, {1, 0}, {0, 1}}, angle = 0}"),
+              HasSubstr("angle"));
+}
+
 TEST_F(NodeTest, AliasesGoByTheirOwnNames) {
   EXPECT_EQ(make_.error_of("plane", "{nromal = {0, 0, 1}}"),
             "scene.lua:7: unknown parameter 'nromal' of plane (did you mean 'normal'?)");
