@@ -14,6 +14,8 @@ namespace {
 constexpr std::uint64_t seed = 1968;
 /// Independent sets of points: enough that the scatter of their means is known to about a fifth.
 constexpr std::size_t sets = 16;
+/// Where so many points are not there, nothing is looked for any longer.
+constexpr std::size_t most_in_vain = std::size_t{1} << 16;
 
 /// Whether the region has the surface there that the point was drawn on.
 bool is_there(const WornSurface& worn, const CompoundSurface::Point& at, double height) {
@@ -69,7 +71,7 @@ AreaEstimate worn_area(const WornSurface& worn, const Mat3& linear, const AreaPr
     estimate = estimate_of(means);
     const bool known = estimate.standard_error <= precision.relative_error * estimate.area;
     const bool enough = static_cast<double>(sets * done) >= least_points;
-    if (estimate.area > 0.0 && known && enough) break;
+    if (estimate.area > 0.0 ? known && enough : sets * done >= most_in_vain) break;
   }
   return estimate;
 }

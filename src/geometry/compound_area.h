@@ -35,8 +35,8 @@ struct AreaPrecision {
 /// The mean of (is it there) / density over points of the surface, each looked at with a sweep
 /// through it along the normal. Points are well spread (Owen-scrambled) in independent sets, from
 /// whose scatter the standard error follows; four times as many are taken until that is small
-/// enough, and at least as many as would have met a share of the size of the error. The seed is
-/// fixed, and the result does not depend on the number of threads.
+/// enough, and at least as many as would have met a share of the size of the error; 0 when 65536
+/// found nothing. The seed is fixed, and the result does not depend on the number of threads.
 AreaEstimate worn_area(const WornSurface& worn, const Mat3& linear, const AreaPrecision& precision,
                        ThreadPool& pool);
 

@@ -134,8 +134,8 @@ CombinationLights::Surface& CombinationLights::surface_of(Body& body, const Wear
     const Box3d& box = body.boxes[i];
     if (!has_room(box)) continue;
     if (!box.bounded()) {
-      throw Error(region.where.location(), "a solid whose glowing surface has no bounds",
-                  "cut it down to size: intersect it with a box, for example");
+      throw Error(region.where.location(), "nothing bounds the surface that is to give light here",
+                  "intersect the solid with a box that says how far it reaches");
     }
     pieces.push_back(
         {body.leaf_numbers[i], geometry::LeafSurface(leaf.solid, box, sides_of(body.tree(), i))});
@@ -164,8 +164,10 @@ geometry::AreaEstimate CombinationLights::area_of(const Body& body, Surface& sur
 void CombinationLights::warn_of(const geometry::AreaEstimate& area, description::Quantity quantity,
                                 const SolidRegion& region) {
   if (!(area.area > 0.0)) {
-    tools_.warnings.add(region.where.location(),
-                        "what should give light here has no surface: it is all cut away");
+    tools_.warnings.add(
+        region.where.location(),
+        "what should give light here has no surface to speak of: it is cut away, or "
+        "inside of something else");
     return;
   }
   const double error = 3.0 * area.standard_error / area.area;
