@@ -361,12 +361,28 @@ ThreeWays measure(const scene::Scene& scene, Vec3d spot) {
         const double pdf = light::pdf_illumination(
             scene.lights()[chosen.index], spot, sample->wi,
             {s.p, s.geometric_normal, {found.place, found.worn_leaf, found.worn_patch}});
-        EXPECT_NEAR(pdf, sample->pdf, 1e-6 * pdf);
+        // Nearly edge-on, the cosine feels the roundings of the point.
+        const double slope = std::abs(dot(s.geometric_normal, sample->wi));
+        EXPECT_NEAR(pdf, sample->pdf, 1e-9 / (slope * slope) * pdf);
       }
     }
     ways.lights.add(value);
   }
   return ways;
+}
+
+void expect_agreement(const scene::Scene& scene) {
+  for (const Vec3d& spot : spots) {
+    const ThreeWays ways = measure(scene, spot);
+    // z = 5, twice for each of 6 spots: a false alarm in 145,000.
+    const auto agree = [](const RunningMean& a, const RunningMean& b) {
+      return std::abs(a.mean() - b.mean()) < 5 * std::hypot(a.standard_error(), b.standard_error());
+    };
+    EXPECT_TRUE(agree(ways.lights, ways.both)) << ways.lights.mean() << ' ' << ways.both.mean();
+    EXPECT_TRUE(agree(ways.chance, ways.both)) << ways.chance.mean() << ' ' << ways.both.mean();
+    EXPECT_LT(ways.lights.standard_error(), 0.03 * ways.both.mean());
+    EXPECT_LT(ways.both.standard_error(), 0.005 * ways.both.mean());
+  }
 }
 
 TEST(CombinationLight, AllWaysToItAgree) {
@@ -376,20 +392,16 @@ TEST(CombinationLight, AllWaysToItAgree) {
                     unite(solid(Sphere{center - Vec3d{0.1, 0.2, 0.5}, 0.45}),
                           solid(HalfSpace{center + Vec3d{0, 0.6, 0.4}, {0, -1, -0.5}})));
   };
-  const scene::Scene scene =
+  expect_agreement(
       over_ground({dressed(lit({-0.6, 0, 1}), lamp(L)), dressed(lit({0.7, 0.3, 1.3}), lamp(L))})
-          .build();
-  for (const Vec3d& spot : spots) {
-    const ThreeWays ways = measure(scene, spot);
-    // z = 5, twice for each of 3 spots: a false alarm in 290,000.
-    const auto agree = [](const RunningMean& a, const RunningMean& b) {
-      return std::abs(a.mean() - b.mean()) < 5 * std::hypot(a.standard_error(), b.standard_error());
-    };
-    EXPECT_TRUE(agree(ways.lights, ways.both)) << ways.lights.mean() << ' ' << ways.both.mean();
-    EXPECT_TRUE(agree(ways.chance, ways.both)) << ways.chance.mean() << ' ' << ways.both.mean();
-    EXPECT_LT(ways.lights.standard_error(), 0.02 * ways.both.mean());
-    EXPECT_LT(ways.both.standard_error(), 0.005 * ways.both.mean());
-  }
+          .build());
+}
+
+// A patch that a ray meets from its front more than once: only the first is lit.
+TEST(CombinationLight, LeavesMayHideThemselves) {
+  const auto ring = solid(geometry::Torus{{0, 0, 1.2}, normalize(Vec3d{0.3, 1, 0.1}), 0.6, 0.35});
+  const auto open = subtract(ring, solid(HalfSpace{{0.3, 0, 1}, {-1, 0, 0.4}}));
+  expect_agreement(over_ground({dressed(open, lamp(L))}).build());
 }
 
 // The same picture at every scale and far from the origin, in one of its places.
