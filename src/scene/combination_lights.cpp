@@ -13,7 +13,7 @@ namespace {
 using geometry::inherited_surface;
 using geometry::SurfaceTag;
 
-constexpr geometry::AreaPrecision of_power{0.001 / 3.0, std::size_t{1} << 20};
+constexpr geometry::AreaPrecision of_power{0.001 / 3.0, std::size_t{1} << 22};
 constexpr geometry::AreaPrecision for_choice{0.02, std::size_t{1} << 16};
 
 geometry::SolidScene alone(geometry::Expression expression, geometry::Expression::Term root) {
