@@ -46,7 +46,9 @@ local clay = matte "#7a4f2a"
 local shade = difference { ball(radius), ball(radius - wall), holes }
 local fittings = ring(2.38, 0.5, 0.03) + ring(0.62, 0.47, 0.03)
   + (sphere { center = { 0, 0, 2.44 }, radius = 0.2 } - ball(radius))
-  + torus { center = { 0, 0, 2.86 }, axis = { 0, 1, 0.25 }, major_radius = 0.24, minor_radius = 0.035 }
+  + torus {
+    center = { 0, 0, 2.86 }, axis = { 0, 1, 0.25 }, major_radius = 0.24, minor_radius = 0.035,
+  }
   + (cone { from = { 0, 0, 0 }, to = { 0, 0, 0.75 }, radius = 0.62, radius2 = 0.4 } - ball(radius))
 
 -- The light: a ball cut down to a cube with round corners.
@@ -62,7 +64,9 @@ return scene {
     core:material(emissive { power = power, temperature = temperature })
       :name "core",
     plane { material = matte "#8c7b68", name = "table" },
-    plane { point = { 0, 2.6, 0 }, normal = { 0.12, -1, 0 }, material = matte "#b8b2a6", name = "wall" },
+    plane {
+      point = { 0, 2.6, 0 }, normal = { 0.12, -1, 0 }, material = matte "#b8b2a6", name = "wall",
+    },
   },
   render = { size = { 720, 512 }, samples = 64 },
 }
