@@ -12,9 +12,16 @@ bool emits(const MaterialPtr& material) {
   return material && std::holds_alternative<Emissive>(material->model);
 }
 
-/// Whether anything that `object` is made of wears Emissive.
+bool shows_emissive(const Cut* cut) {
+  return cut != nullptr && emits(cut->material);
+}
+
+/// Whether anything that `object` is made of wears Emissive, or what is cut there.
 bool has_emissive_part(const Object& object) {
-  const auto worn = [](const Object& part) { return emits(part.material); };
+  const auto worn = [](const Object& part) {
+    const Attributes* own = part.attributes.get();
+    return emits(part.material) || (own && own->cut && shows_emissive(&*own->cut));
+  };
   return fold<char>(object, worn, [&](const Object& whole, std::span<const char> parts) {
     return worn(whole) || std::any_of(parts.begin(), parts.end(), [](char part) { return part; });
   });
@@ -26,6 +33,7 @@ bool gives_light(const Leaf& leaf) {
   if (emits(leaf.material)) return true;
   const auto* mesh = std::get_if<Mesh>(&leaf.object.content);
   if (mesh) return std::any_of(mesh->materials.begin(), mesh->materials.end(), emits);
+  if (shows_emissive(leaf.cut) && (leaf.object.combination() || !leaf.removed.empty())) return true;
   return leaf.object.combination() && has_emissive_part(leaf.object);
 }
 

@@ -18,7 +18,8 @@ struct SceneDescription {
   std::optional<Camera> camera;
   std::vector<ObjectPtr> objects;  ///< lights with a surface included
   std::vector<Light> lights;
-  /// Taken away from all solids but those that give light, to show their insides; null: nothing.
+  /// Taken away from all solids, to show their insides, but not from those that wear Emissive as a
+  /// whole; null: nothing.
   ObjectPtr section;
   RenderSettings render;
   FilmSettings film;

@@ -95,9 +95,9 @@ schema::NodeKind scene_kind() {
                                   {.doc = "What gives light; a studio's when left out."})
       .parameter<ObjectListReader>("objects", &S::objects, {.doc = "What there is to see."})
       .parameter<SolidReader>("section", &S::section,
-                              {.doc = "A solid to take away from all others but lights, to show "
-                                      "their insides; the faces wear its material, if it has "
-                                      "one."})
+                              {.doc = "A solid to take away from all others but those that are "
+                                      "lights, to show their insides; the faces wear its material, "
+                                      "if it has one."})
       .parameter("render", &S::render,
                  {.doc = "Size, samples and more; see `lapidary help render`."})
       .parameter("film", &S::film, {.doc = "Exposure and tone; see `lapidary help film`."})

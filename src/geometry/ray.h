@@ -38,6 +38,15 @@ struct Ray {
 /// What a surface wears, as a number that only those understand who built the world.
 using SurfaceTag = std::uint32_t;
 
+/// A smooth piece of the boundary of a leaf of solids, wherever its compound stands.
+struct LeafPatch {
+  std::uint32_t place = 0;  ///< Transition::place
+  std::uint32_t leaf = 0;
+  Patch patch = 0;
+
+  bool operator==(const LeafPatch&) const = default;
+};
+
 /// The nearest surface on a ray. Of a triangle, t and the weights have float accuracy;
 /// `World::surface` computes the point in double.
 struct Hit {
@@ -50,6 +59,10 @@ struct Hit {
   std::uint32_t place = 0;     ///< of a leaf: where its compound stands (Transition::place)
   std::uint32_t triangle = 0;  ///< of the mesh
   SurfaceTag tag = 0;          ///< of a solid
+  /// Of a solid: the leaf of the same compound that wears the tag, and its patch. Another than
+  /// `index` only where faces coincide.
+  std::uint32_t worn_leaf = 0;
+  Patch worn_patch = 0;
   /// The regions of solids that fill the ray's way here, and what is behind; of sheets and
   /// triangles both are the same. Also set when nothing is hit.
   std::uint32_t region_before = 0, region_after = 0;

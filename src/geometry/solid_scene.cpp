@@ -86,6 +86,22 @@ Vec3d SolidScene::outward_normal(std::uint32_t place, std::uint32_t leaf, Patch 
   return normalize(space.world_normal(geometry::outward_normal(solid, patch, space.point(p))));
 }
 
+bool SolidScene::is_same_crossing(const LeafPatch& at, const Line& line, double a, double b) const {
+  EventBuffer events;
+  const PlacedSolid& solid = compound(at.place).leaf(at.leaf).solid;
+  intervals(solid, at.place == 0 ? line : places_[at.place - 1].space.line(line), events);
+  const auto nearest = [&](double t) {
+    const Event* best = nullptr;
+    for (const Event& e : events) {
+      if (e.patch != at.patch) continue;
+      if (best == nullptr || std::abs(e.t - t) < std::abs(best->t - t)) best = &e;
+    }
+    return best;
+  };
+  const Event* aimed_at = nearest(a);
+  return aimed_at != nullptr && aimed_at == nearest(b);
+}
+
 SurfaceUv SolidScene::surface_uv(std::uint32_t place, std::uint32_t leaf, Patch patch,
                                  Vec3d p) const {
   const PlacedSolid& solid = compound(place).leaf(leaf).solid;

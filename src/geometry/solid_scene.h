@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/compound.h"
+#include "geometry/ray.h"
 
 namespace lapidary::geometry {
 
@@ -67,6 +68,10 @@ class SolidScene {
   /// Of a leaf of the compound that stands at `place`, at the world point p of its boundary: unit
   /// length, out of the leaf.
   Vec3d outward_normal(std::uint32_t place, std::uint32_t leaf, Patch patch, Vec3d p) const;
+  /// Whether, of the crossings of `line` with a patch of a leaf, the same one is nearest to t = a
+  /// and to t = b: whether what a ray found at b is what it was aimed at when the point at a was
+  /// put on that patch, however well rounding lets one do that.
+  bool is_same_crossing(const LeafPatch& at, const Line& line, double a, double b) const;
   SurfaceUv surface_uv(std::uint32_t place, std::uint32_t leaf, Patch patch, Vec3d p) const;
 
   std::size_t leaf_count() const;  ///< instanced ones each time they appear

@@ -92,6 +92,8 @@ void World::nearest_transition(const Ray& ray, const Bvh::Slabs& slabs, Hit& hit
   hit.index = found.leaf;
   hit.place = found.place;
   hit.tag = found.tag;
+  hit.worn_leaf = found.worn_leaf;
+  hit.worn_patch = found.worn_patch;
   hit.region_after = found.after;
 }
 

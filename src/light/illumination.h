@@ -1,6 +1,8 @@
 #pragma once
 
-#include "geometry/interval_events.h"
+#include <optional>
+
+#include "geometry/ray.h"
 #include "math/constants.h"
 #include "math/vec.h"
 #include "spectrum/sampled_spectrum.h"
@@ -21,13 +23,17 @@ struct LightSample {
   /// Per solid angle at the lit point [1/sr]; 1 for a delta light.
   double pdf = 1;
   Extent extent = Extent::area;
+  /// Of a light that is part of the surface of a combination: what the point was drawn on. The
+  /// sample counts only if a ray towards it meets the front of that patch at that distance, as
+  /// what gives this light: there the boundary may be cut away, or covered by another.
+  std::optional<geometry::LeafPatch> on_leaf = std::nullopt;
 };
 
 /// Where a ray met the surface of an area light. Not used by environments and distant lights.
 struct LightHit {
   Vec3d point;
   Vec3d normal;  ///< unit length, geometric (not interpolated), out of solids or to the front
-  geometry::Patch patch = 0;  ///< of a solid
+  geometry::LeafPatch on_leaf;  ///< of a solid: the leaf that wears the light
 };
 
 /// The numbers that a light is sampled with, all uniform in [0, 1).

@@ -3,6 +3,7 @@
 #include <optional>
 #include <variant>
 
+#include "light/combination_light.h"
 #include "light/disk_light.h"
 #include "light/distant_light.h"
 #include "light/environment.h"
@@ -20,12 +21,13 @@
 namespace lapidary::light {
 
 using Light =
-    std::variant<SphereLight, RectangleLight, DiskLight, MeshLight, SolidLight, PointLight,
-                 SpotLight, DistantLight, ConstantEnvironment, ImageEnvironment>;
+    std::variant<SphereLight, RectangleLight, DiskLight, MeshLight, SolidLight, CombinationLight,
+                 PointLight, SpotLight, DistantLight, ConstantEnvironment, ImageEnvironment>;
 
 /// A direction from `p` towards the light with the light that comes from there, drawn with density
 /// `pdf_illumination`. Nothing when the light cannot reach `p` or the drawn point turns its back to
-/// it: a sample of value zero. Directions below the horizon of `p` are the caller's to drop.
+/// it: a sample of value zero. What the sample says about when it counts is the caller's to check.
+/// Directions below the horizon of `p` are the caller's to drop.
 std::optional<LightSample> sample_illumination(const Light& light, Vec3d p,
                                                const LightNumbers& numbers,
                                                const Wavelengths& wavelengths);

@@ -14,7 +14,7 @@ std::optional<LightSample> SolidLight::sample_illumination(Vec3d p, const LightN
 }
 
 double SolidLight::pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const {
-  return pdf_illumination_from(boundary_pdf_area(solid_, hit.patch, hit.point), p, wi, hit);
+  return pdf_illumination_from(boundary_pdf_area(solid_, hit.on_leaf.patch, hit.point), p, wi, hit);
 }
 
 SampledSpectrum SolidLight::emitted(Vec3d wi, const LightHit& hit,

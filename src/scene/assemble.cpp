@@ -21,8 +21,10 @@ using description::Object;
 using description::SetOperation;
 using geometry::Expression;
 
-bool emits(const Material& material) {
-  return std::holds_alternative<description::Emissive>(material.model);
+/// Whether it is there to give light: not cut open by the scene's section, which shows insides.
+bool is_lamp(const Leaf& leaf) {
+  if (leaf.object.combination() == nullptr) return gives_light(leaf);
+  return std::holds_alternative<description::Emissive>(leaf.material->model);
 }
 
 /// Numbers what fills bodies.
@@ -160,7 +162,7 @@ class Assembler {
   void for_each_leaf(Visit visit) {
     object_ = 0;
     description::for_each_leaf(scene_.objects, [&](const Leaf& leaf) {
-      cut_by_scene_ = scene_.section && !gives_light(leaf);
+      cut_by_scene_ = scene_.section && !is_lamp(leaf);
       visit(leaf);
       ++object_;
     });
@@ -177,7 +179,7 @@ class Assembler {
   std::optional<std::uint32_t> assembly_of(const Leaf& leaf);
   Expression::Term root_of(const Leaf& leaf, SolidWriter& writer);
   std::uint32_t slot(const MaterialPtr& material);
-  SolidWriter::TagOf tags(const Leaf& leaf);
+  SolidWriter::TagOf tags();
 
   const description::SceneDescription& scene_;
   std::size_t most_;  ///< leaves of an expression
@@ -197,23 +199,12 @@ std::uint32_t Assembler::slot(const MaterialPtr& material) {
   return found->second;
 }
 
-void refuse_light(const Object& object) {
-  throw Error(object.where.location(),
-              "a solid that is combined of several cannot give light in this version",
-              "let a single sphere, box or cylinder, a sheet or a mesh give it");
-}
-
-SolidWriter::TagOf Assembler::tags(const Leaf& leaf) {
-  return [this, &object = leaf.object](const MaterialPtr& material) {
-    if (emits(*material)) refuse_light(object);
-    return slot(material);
-  };
+SolidWriter::TagOf Assembler::tags() {
+  return [this](const MaterialPtr& material) { return slot(material); };
 }
 
 void Assembler::add(const Leaf& leaf) {
   own_slots_.clear();
-  const bool cut = !leaf.removed.empty() || cut_by_scene_;
-  if (emits(*leaf.material) && (cut || leaf.object.combination())) refuse_light(leaf.object);
   SolidRegion added;
   added.object = object_;
   added.where = leaf.object.where;
@@ -228,7 +219,7 @@ void Assembler::add(const Leaf& leaf) {
     region.instance = static_cast<std::uint32_t>(solids_.instances.size());
     solids_.instances.push_back({*assembly, leaf.world_from_object});
   } else {
-    SolidWriter writer(solids_.expression, meshes_, tags(leaf), most_);
+    SolidWriter writer(solids_.expression, meshes_, tags(), most_);
     region.root = root_of(leaf, writer);
   }
   solids_.regions.push_back(std::move(added));
@@ -258,7 +249,7 @@ std::optional<std::uint32_t> Assembler::assembly_of(const Leaf& leaf) {
       return std::nullopt;
     }
     geometry::Assembly assembly;
-    SolidWriter writer(assembly.expression, meshes_, tags(leaf), most_);
+    SolidWriter writer(assembly.expression, meshes_, tags(), most_);
     assembly.root = writer.write(leaf.object, {}, leaf.cut);
     uses.assembly = static_cast<std::uint32_t>(solids_.assemblies.size());
     solids_.assemblies.push_back(std::move(assembly));

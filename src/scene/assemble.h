@@ -51,8 +51,7 @@ struct Solids {
 /// with what all its parts agree on.
 ///
 /// Throws Error at the object where it is a mesh in an operation, where parts disagree about what
-/// fills the whole, where a solid of several leaves is to give light, or where there are more than
-/// `most` leaves.
+/// fills the whole, or where there are more than `most` leaves.
 Solids assemble(const description::SceneDescription& scene, std::size_t most = most_leaves);
 
 /// What a world is built of, without what only the scene understands.

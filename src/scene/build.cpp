@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "description/leaves.h"
 #include "scene/assemble.h"
+#include "scene/combination_lights.h"
 #include "scene/prepare_camera.h"
 #include "scene/prepare_light.h"
 #include "scene/prepare_material.h"
@@ -19,7 +20,8 @@ using description::MaterialPtr;
 /// Takes the leaves of a description one by one and grows the parts of a scene from them.
 class Builder {
  public:
-  Builder(Scene::Parts& parts, double metres) : parts_(parts), lights_(metres) {}
+  Builder(Scene::Parts& parts, double metres, const BuildOptions& options)
+      : parts_(parts), lights_(metres), options_(options) {}
 
   enum class IsBody : bool { no, yes };
 
@@ -29,7 +31,8 @@ class Builder {
   geometry::World::Parts take_world() { return std::move(world_); }
 
  private:
-  void add_light_of(const SolidRegion& region, const geometry::Expression& expression);
+  void add_lights_of(const Solids& solids);
+  void add_light_of_leaf(const SolidRegion& region, const geometry::Expression::Leaf& leaf);
   void add_sheet(const Leaf& leaf, const geometry::Sheet& sheet);
   void add_mesh(const Leaf& leaf, const description::Mesh& mesh);
 
@@ -43,6 +46,7 @@ class Builder {
 
   Scene::Parts& parts_;
   SurfaceLights lights_;
+  const BuildOptions& options_;
   geometry::World::Parts world_;
   std::map<const description::Material*, std::uint32_t> material_index_;
   std::vector<MaterialPtr>
@@ -50,11 +54,6 @@ class Builder {
   std::vector<MaterialPtr> fillings_;
   std::vector<const description::Glass*> media_;  ///< what media are, null for opaque ones
 };
-
-const description::Emission* emission_of(const description::Material& material) {
-  const auto* emissive = std::get_if<description::Emissive>(&material.model);
-  return emissive == nullptr ? nullptr : &emissive->emission;
-}
 
 medium::Medium medium_of(const description::Glass& glass) {
   medium::Medium medium{glass.index, std::nullopt};
@@ -98,17 +97,37 @@ void Builder::add_solids(Solids&& solids) {
   }
   for (const SolidRegion& region : solids.regions) {
     parts_.region_fillings.push_back({region.region.medium, region.region.priority, region.object});
-    add_light_of(region, solids.expression);
   }
+  add_lights_of(solids);
   world_.solids = geometry_parts(std::move(solids));
 }
 
-void Builder::add_light_of(const SolidRegion& region, const geometry::Expression& expression) {
-  Slot& slot = parts_.slots[region.region.tag];
+void Builder::add_lights_of(const Solids& solids) {
+  CombinationLights combinations(solids, {lights_, options_.pool, options_.warnings});
+  std::uint32_t places = 0;
+  for (const SolidRegion& region : solids.regions) {
+    const geometry::Expression::Term root = region.region.root;
+    const bool stands_alone = region.region.instance == geometry::Region::no_instance;
+    if (stands_alone && root.is_leaf() && !root.is_complement()) {
+      add_light_of_leaf(region, solids.expression.leaves()[root.index()]);
+      continue;
+    }
+    const std::uint32_t place = stands_alone ? 0 : ++places;
+    for (CombinationLights::Found& found : combinations.of(region, place)) {
+      const auto number = static_cast<std::uint32_t>(parts_.lights.size());
+      Slot& slot = parts_.slots[found.tag];
+      if (slot.light == Slot::no_light) slot.light = number;
+      if (place != 0) parts_.placed_lights.push_back({place, found.tag, number});
+      parts_.lights.push_back(std::move(found.light));
+    }
+  }
+}
+
+void Builder::add_light_of_leaf(const SolidRegion& region, const geometry::Expression::Leaf& leaf) {
+  const bool inherits = leaf.tag == geometry::inherited_surface;
+  Slot& slot = parts_.slots[inherits ? region.region.tag : leaf.tag];
   const auto* emission = emission_of(*kept_[slot.material]);
-  if (emission == nullptr) return;
-  const geometry::Expression::Term root = region.region.root;
-  add_light(slot, lights_.solid(expression.leaves()[root.index()].solid, *emission, region.where));
+  if (emission != nullptr) add_light(slot, lights_.solid(leaf.solid, *emission, region.where));
 }
 
 /// The number of the medium that fills what wears this glass.
@@ -182,7 +201,7 @@ void Builder::add_mesh(const Leaf& leaf, const description::Mesh& mesh) {
 Scene build(const description::SceneDescription& description, const BuildOptions& options) {
   Scene::Parts parts;
   parts.camera = prepare_camera(description.camera.value(), options.size);
-  Builder builder(parts, description.metres_per_unit);
+  Builder builder(parts, description.metres_per_unit, options);
   Solids solids = assemble(description);
   std::vector<bool> is_body;
   for (const SolidRegion& region : solids.regions) {

@@ -85,6 +85,14 @@ light::Light SurfaceLights::solid(const geometry::PlacedSolid& solid, const Emis
   return light::SolidLight(solid, L);
 }
 
+light::Light SurfaceLights::combination(std::shared_ptr<const geometry::CompoundSurface> surface,
+                                        const light::CombinationLight::Place& place, double area,
+                                        const Emission& emission) const {
+  const bool is_dark = emission.quantity == Quantity::power && !(area > 0.0);
+  return light::CombinationLight(std::move(surface), place, area,
+                                 is_dark ? Spectrum::constant(0.0f) : radiance(emission, area));
+}
+
 light::Light SurfaceLights::sheet(const geometry::Sheet& sheet, const Emission& emission) const {
   const Spectrum L = radiance(emission, geometry::area(sheet));
   if (const auto* rectangle = std::get_if<geometry::Rectangle>(&sheet)) {

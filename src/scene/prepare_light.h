@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "description/light.h"
@@ -24,6 +25,11 @@ class SurfaceLights {
   /// Throws Error at `where` for solids that have no finite surface.
   light::Light solid(const geometry::PlacedSolid& solid, const description::Emission& emission,
                      const schema::CallSite& where) const;
+  /// `area` is that of what is there of the surface, in the world; 0 makes it dark where light is
+  /// stated as power.
+  light::Light combination(std::shared_ptr<const geometry::CompoundSurface> surface,
+                           const light::CombinationLight::Place& place, double area,
+                           const description::Emission& emission) const;
   light::Light sheet(const geometry::Sheet& sheet, const description::Emission& emission) const;
   /// The triangles of `placement` that `chosen` lists.
   light::Light mesh(const geometry::MeshPlacement& placement, std::span<const std::uint32_t> chosen,

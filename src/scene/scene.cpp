@@ -1,5 +1,8 @@
 #include "scene/scene.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace lapidary::scene {
 namespace {
 
@@ -30,6 +33,20 @@ const Slot& Scene::slot(const geometry::Hit& hit) const {
   const geometry::TriangleMesh& mesh = *parts_.world.triangles().placement(hit.index).mesh;
   const std::uint32_t part = mesh.materials.empty() ? 0 : mesh.materials[hit.triangle];
   return parts_.slots[parts_.mesh_slots[hit.index] + part];
+}
+
+std::uint32_t Scene::light_index(const geometry::Hit& hit) const {
+  const std::uint32_t light = slot(hit).light;
+  const bool may_differ = hit.kind == geometry::SurfaceKind::solid && hit.place != 0;
+  if (light == Slot::no_light || !may_differ) return light;
+  const auto found =
+      std::lower_bound(parts_.placed_lights.begin(), parts_.placed_lights.end(), hit,
+                       [](const auto& l, const auto& h) {
+                         return std::pair(l.place, l.slot) < std::pair(h.place, h.tag);
+                       });
+  const bool known =
+      found != parts_.placed_lights.end() && found->place == hit.place && found->slot == hit.tag;
+  return known ? found->light : light;
 }
 
 std::uint32_t Scene::object_index(const geometry::Hit& hit) const {

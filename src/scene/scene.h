@@ -34,6 +34,13 @@ struct Slot {
   std::uint32_t light = no_light;
 };
 
+/// The light of a slot that instances share, at one of their places.
+struct PlacedLight {
+  std::uint32_t place = 0;  ///< geometry::Transition::place
+  std::uint32_t slot = 0;
+  std::uint32_t light = 0;
+};
+
 /// What a body is filled with, and how it stands among others that fill the same place: the
 /// greatest priority counts, and of equals the one written first.
 struct Filling {
@@ -73,6 +80,7 @@ class Scene {
     /// First slot of each sheet and mesh placement of the world; of solids tags are slots.
     std::vector<std::uint32_t> sheet_slots, mesh_slots;
     std::vector<light::Light> lights;
+    std::vector<PlacedLight> placed_lights;  ///< ascending by place, then slot
   };
 
   explicit Scene(Parts parts);
@@ -81,6 +89,8 @@ class Scene {
   const camera::Camera& camera() const { return parts_.camera; }
 
   const Slot& slot(const geometry::Hit& hit) const;
+  /// The number of the light that was met; `Slot::no_light` for none.
+  std::uint32_t light_index(const geometry::Hit& hit) const;
   const PreparedMaterial& material(const Slot& slot) const {
     return parts_.materials[slot.material];
   }

@@ -29,17 +29,21 @@ double before_triangles(const geometry::World& world) {
   return box.empty() ? 0.0 : 16.0 * 4.0 * 0x1p-24 * 1.5 * max_component(box.extent());
 }
 
-/// A ray from a surface to a sampled point of a light, ending at least `margin` before it.
-Ray shadow_ray(const Surface& from, const light::LightSample& to, double margin) {
+/// The leaf that wears what was hit, if that is a solid.
+geometry::LeafPatch on_leaf(const Hit& hit) {
+  return {hit.place, hit.worn_leaf, hit.worn_patch};
+}
+
+/// A ray from a surface to a sampled point of a light, ending there.
+Ray ray_to_light(const Surface& from, const light::LightSample& to) {
   Ray ray = geometry::World::leave(from, to.wi);
-  double distance = to.distance;
-  if (from.self_distance > 0.0 && std::isfinite(distance)) {
+  ray.t_max = to.distance;
+  if (from.self_distance > 0.0 && std::isfinite(to.distance)) {
     // It starts off the surface: the light is nearer by that, in a slightly other direction.
-    const Vec3d to_light = to.wi * distance - (ray.origin - from.p);
-    distance = length(to_light);
-    ray.direction = to_light / distance;
+    const Vec3d to_light = to.wi * to.distance - (ray.origin - from.p);
+    ray.t_max = length(to_light);
+    ray.direction = to_light / ray.t_max;
   }
-  ray.t_max = std::max(0.0, distance * just_before_light - margin);
   return ray;
 }
 
@@ -77,6 +81,11 @@ class Path {
 
   /// What a light sends along `ray_`, weighted against light sampling, which could have found it.
   SampledSpectrum light_met(std::uint32_t light, const light::LightHit& hit) const;
+  /// Whether a sample of light `index` reaches the vertex.
+  bool arrives(std::uint32_t index, const light::LightSample& sample, const Vertex& vertex);
+  /// The same of a light that is part of a combination: whether `ray`, which ends at the point
+  /// drawn on `aim`, finds that light there.
+  bool finds(std::uint32_t index, const geometry::LeafPatch& aim, Ray ray);
   SampledSpectrum direct_light(const Vertex& vertex, const MediaPair& media,
                                const VertexPoints& points);
   /// Turns `ray_` into the next direction; false when the path ends.
@@ -115,6 +124,32 @@ SampledSpectrum Path::light_met(std::uint32_t index, const light::LightHit& hit)
   return Le * static_cast<float>(power_heuristic(origin_.pdf, pdf_light));
 }
 
+bool Path::arrives(std::uint32_t index, const light::LightSample& sample, const Vertex& vertex) {
+  Ray shadow = ray_to_light(vertex.surface, sample);
+  shadow.time = ray_.time;
+  if (sample.on_leaf) return finds(index, *sample.on_leaf, shadow);
+  const bool triangles = std::holds_alternative<light::MeshLight>(scene_.lights()[index]);
+  const double margin = triangles ? light_margin_ : 0.0;
+  shadow.t_max = std::max(0.0, shadow.t_max * just_before_light - margin);
+  ++context_.counters.occlusion_queries;
+  return !scene_.world().occluded(shadow);
+}
+
+// What counts here must be just what chance hits weigh against: a hit that `light_met` takes for
+// one of this light, on this patch of this leaf.
+bool Path::finds(std::uint32_t index, const geometry::LeafPatch& aim, Ray ray) {
+  const double distance = ray.t_max;
+  // There is nothing to find behind the point. That rounding moves a hit by its whole distance
+  // means that it cannot be told from what the ray starts on.
+  ray.t_max = 2.0 * distance;
+  ++context_.counters.nearest_queries;
+  const Hit hit = scene_.world().nearest(ray);
+  const bool is_front = hit.crossing == geometry::Crossing::enter;
+  if (hit.kind != SurfaceKind::solid || !is_front || on_leaf(hit) != aim) return false;
+  return scene_.light_index(hit) == index &&
+         scene_.world().solids().is_same_crossing(aim, ray.line(), distance, hit.t);
+}
+
 SampledSpectrum Path::direct_light(const Vertex& vertex, const MediaPair& media,
                                    const VertexPoints& points) {
   if (scene_.light_selector() == nullptr) return {};
@@ -128,12 +163,7 @@ SampledSpectrum Path::direct_light(const Vertex& vertex, const MediaPair& media,
   const Vec3d wi = vertex.frame.to_local(sample->wi);
   const bsdf::BsdfValue f = evaluate_with_pdf(vertex.bsdf, vertex.wo, wi, bsdf::Mode::radiance);
   if (f.f_cos.is_zero() || !sides_agree(vertex, sample->wi, wi)) return {};
-
-  const bool triangles = std::holds_alternative<light::MeshLight>(light);
-  Ray shadow = shadow_ray(vertex.surface, *sample, triangles ? light_margin_ : 0.0);
-  shadow.time = ray_.time;
-  ++context_.counters.occlusion_queries;
-  if (scene_.world().occluded(shadow)) return {};
+  if (!arrives(static_cast<std::uint32_t>(choice.index), *sample, vertex)) return {};
 
   const double pdf_light = choice.probability * sample->pdf;
   const double weight =
@@ -226,7 +256,8 @@ SampledSpectrum Path::trace(const Ray& camera_ray, FirstSurface& first) {
                camera::depth(scene_.camera(), surface.p), scene_.object_index(hit) + 1};
     }
     if (slot.light != scene::Slot::no_light) {
-      L_ += beta_ * light_met(slot.light, {surface.p, surface.geometric_normal, surface.patch});
+      L_ += beta_ *
+            light_met(scene_.light_index(hit), {surface.p, surface.geometric_normal, on_leaf(hit)});
     }
     const bool is_glass = std::holds_alternative<bsdf::Glass>(material.material);
     if (is_glass && media.before == media.after) {

@@ -133,7 +133,7 @@ TEST(Sampling, OfASolidFits) {
   const auto bottom = [](Vec3d q) { return std::abs(q.x) <= 1.0 && std::abs(q.y) <= 2.0; };
   const auto meets = [&](Vec3d from, Vec3d wi) {
     auto hit = meets_plane({0, 0, 2.5}, {0, 0, -1}, bottom)(from, wi);
-    if (hit) hit->patch = 4;
+    if (hit) hit->on_leaf.patch = 4;
     return hit;
   };
   expect_fit(light, p, meets, {0, 0, 1}, 0.0);

@@ -246,15 +246,18 @@ TEST(Assemble, RefusesWhatItCannotCombine) {
   EXPECT_EQ(error_of(mesh), "no error");
 }
 
-TEST(Assemble, RefusesLightFromCombinations) {
+TEST(Assemble, SparesLampsFromTheScenesSection) {
   const auto bulb = lamp(1.0);
-  EXPECT_THAT(error_of(dressed(subtract(ball(), ball()), bulb)), HasSubstr("cannot give light"));
-  EXPECT_THAT(error_of(subtract(ball(bulb), ball())), HasSubstr("cannot give light"));
-  EXPECT_THAT(error_of(with_section(ball(bulb), ball())), HasSubstr("cannot give light"));
-  EXPECT_EQ(error_of(ball(bulb)), "no error");
-  const Solids solids = assembled({ball(bulb), ball()}, ball());
-  EXPECT_TRUE(solids.regions[0].region.root.is_leaf()) << "the scene's section spares lights";
+  const Solids solids =
+      assembled({ball(bulb), ball(), dressed(subtract(ball(), at(1, ball())), bulb),
+                 unite(ball(), ball(bulb))},
+                ball());
+  EXPECT_TRUE(solids.regions[0].region.root.is_leaf());
   EXPECT_FALSE(solids.regions[1].region.root.is_leaf());
+  EXPECT_EQ(solids.expression.nodes()[solids.regions[2].region.root.index()].count, 2u);
+  // What glows in part is cut like everything else: its own node, with what is taken away.
+  const auto& cut = solids.expression.nodes()[solids.regions[3].region.root.index()];
+  EXPECT_EQ(cut.operation, geometry::Operation::intersect);
 }
 
 TEST(Assemble, KeepsTheOrderAndPlaceOfLoneSolids) {

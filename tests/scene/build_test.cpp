@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "scene/solid_builders.h"
 #include "scene/tiny_scene.h"
 
 namespace lapidary::test {
@@ -62,6 +63,55 @@ TEST(Build, RefusesLightsWithoutBounds) {
   EXPECT_TRUE(error.starts_with("scene.lua:12: a solid without bounds cannot be a light")) << error;
 }
 
+std::vector<Warning> warnings_of(const TinyScene& tiny) {
+  WarningLog warnings;
+  ThreadPool pool(1);
+  scene::build(tiny.description, {tiny.description.render.size, pool, warnings});
+  return warnings.take();
+}
+
+TinyScene of_object(description::ObjectPtr object) {
+  TinyScene tiny;
+  tiny.description.objects.push_back(std::move(object));
+  return tiny;
+}
+
+TEST(Build, RefusesCombinedLightsWithoutBounds) {
+  const auto slab = intersect(solid(geometry::HalfSpace{{0, 0, 1}, {0, 0, 1}}),
+                              solid(geometry::HalfSpace{{0, 0, 0}, {0, 0, -1}}));
+  TinyScene tiny = of_object(dressed(slab, lamp(1.0)));
+  write_down(tiny);
+  const std::string error = error_of(tiny);
+  EXPECT_TRUE(error.starts_with("scene.lua:12: nothing bounds the surface")) << error;
+}
+
+TEST(Build, WarnsOfLightThatIsCutAway) {
+  const auto radiant = lamp(1.0);
+  const auto power = material(description::Emissive{{description::Quantity::power, grey(1.0)}});
+  for (const auto& light : {radiant, power}) {
+    // Boxes that do not meet; a ball that is inside of what it is united with.
+    for (const auto& object : {subtract(ball(), at(5, ball(light))),
+                               unite(solid(geometry::Box{{-2, -2, -2}, {2, 2, 2}}), ball(light))}) {
+      const auto warnings = warnings_of(of_object(object));
+      ASSERT_GE(warnings.size(), 1u);
+      EXPECT_NE(warnings[0].text.find("no surface to speak of"), std::string::npos)
+          << warnings[0].text;
+    }
+    EXPECT_EQ(warnings_of(of_object(dressed(subtract(ball(), at(1, ball())), light))).size(), 0u);
+  }
+}
+
+// One light for each thing that glows and each place where it stands, whatever else its slot does.
+TEST(Build, GivesCombinationsALightForEachMaterial) {
+  const auto red = lamp(1.0), blue = lamp(2.0);
+  const auto both = subtract(unite(ball(red), at(1, ball(red))), at(0.5, ball(blue)));
+  const Scene scene = of_object(both).build();
+  ASSERT_EQ(scene.lights().size(), 2u);
+  const Scene single = of_object(unite(ball(red), ball(red))).build();
+  EXPECT_EQ(single.lights().size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<light::CombinationLight>(single.lights()[0]));
+}
+
 TEST(Build, RefusesASkyThatIsNotThere) {
   TinyScene tiny;
   tiny.light(description::ImageEnvironment{"/nowhere/sky.hdr", 1.0, 0.0});
@@ -76,15 +126,9 @@ TEST(Build, RefusesSquashedDisks) {
 }
 
 TEST(Build, WarnsOfDarkness) {
-  const auto warnings_of = [](const TinyScene& tiny) {
-    WarningLog warnings;
-    ThreadPool pool(1);
-    scene::build(tiny.description, {tiny.description.render.size, pool, warnings});
-    return warnings.take().size();
-  };
-  EXPECT_EQ(warnings_of(TinyScene().add(Sphere{}, matte(1.0))), 1u);
-  EXPECT_EQ(warnings_of(TinyScene().add(Sphere{}, lamp(1.0))), 0u);
-  EXPECT_EQ(warnings_of(TinyScene().sky(1.0)), 0u);
+  EXPECT_EQ(warnings_of(TinyScene().add(Sphere{}, matte(1.0))).size(), 1u);
+  EXPECT_EQ(warnings_of(TinyScene().add(Sphere{}, lamp(1.0))).size(), 0u);
+  EXPECT_EQ(warnings_of(TinyScene().sky(1.0)).size(), 0u);
 }
 
 TEST(Build, GivesEverySurfaceItsObjectMaterialAndLight) {

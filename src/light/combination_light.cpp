@@ -1,0 +1,66 @@
+#include "light/combination_light.h"
+
+#include <utility>
+
+#include "geometry/affine_area.h"
+
+namespace lapidary::light {
+
+CombinationLight::CombinationLight(std::shared_ptr<const geometry::CompoundSurface> surface,
+                                   const Place& place, double area, Spectrum radiance)
+    : surface_(std::move(surface)), place_(place), area_(area), radiance_(std::move(radiance)) {}
+
+std::optional<LightSample> CombinationLight::sample_illumination(
+    Vec3d p, const LightNumbers& numbers, const Wavelengths& wavelengths) const {
+  const auto drawn = surface_->draw(numbers.u, numbers.part, place_.own ? place_.own->point(p) : p);
+  if (!drawn) return {};
+  const geometry::LeafPoint& on_leaf = drawn->on_leaf;
+  SurfacePoint from{on_leaf.p, on_leaf.normal, on_leaf.density};
+  if (place_.own) {
+    const Transform& map = place_.own->world_from_own();
+    from.point = map.point(on_leaf.p);
+    from.normal = normalize(place_.own->world_normal(on_leaf.normal));
+    from.pdf_area /= length(geometry::cofactors(map.linear()) * on_leaf.normal);
+  }
+  // On which sides it shines the surface has seen to.
+  if (dot(from.normal, p - from.point) < 0.0) from.normal = -from.normal;
+  auto sample = illumination_from(from, p, radiance_, wavelengths);
+  if (!sample) return {};
+  sample->L = sample->L * static_cast<float>(on_leaf.multiplicity);
+  sample->on_leaf = geometry::LeafPatch{place_.number, drawn->leaf, on_leaf.patch};
+  return sample;
+}
+
+double CombinationLight::pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const {
+  const auto [place, leaf, patch] = hit.on_leaf;
+  if (place != place_.number) return 0.0;
+  if (!place_.own) {
+    return pdf_illumination_from(surface_->density(leaf, patch, hit.point), p, wi, hit);
+  }
+  // |cofactors(m) n| for the normal n of the compound, from the unit normal in the world.
+  const Mat3& m = place_.own->world_from_own().linear();
+  const double stretch = std::abs(determinant(m)) / length(transpose(m) * hit.normal);
+  const double density = surface_->density(leaf, patch, place_.own->point(hit.point));
+  return pdf_illumination_from(density / stretch, p, wi, hit);
+}
+
+SampledSpectrum CombinationLight::emitted(Vec3d wi, const LightHit& hit,
+                                          const Wavelengths& wavelengths) const {
+  return dot(hit.normal, wi) < 0.0 ? radiance_.at(wavelengths) : SampledSpectrum();
+}
+
+double CombinationLight::power(double) const {
+  return pi * area_ * radiance_.integral();
+}
+
+Influence CombinationLight::influence() const {
+  Box3d box = surface_->bounds();
+  if (place_.own) box = place_.own->world_from_own().box(box);
+  return {Influence::Reach::around,
+          power(0) / (4.0 * pi),
+          box.center(),
+          {},
+          0.25 * length_squared(box.extent())};
+}
+
+}  // namespace lapidary::light
