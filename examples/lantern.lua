@@ -68,5 +68,5 @@ return scene {
       point = { 0, 2.6, 0 }, normal = { 0.12, -1, 0 }, material = matte "#b8b2a6", name = "wall",
     },
   },
-  render = { size = { 720, 512 }, samples = 64 },
+  render = { size = { 720, 512 }, samples = 256 },
 }
