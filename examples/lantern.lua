@@ -1,4 +1,4 @@
--- Lantern: a pierced shade of clay, and in it a light that is a solid of solids.
+-- Lantern: a pierced shade of burnt clay, and in it a light that is a solid of solids.
 --
 --   lapidary render lantern.lua
 --   lapidary render lantern.lua --set holes=600
@@ -42,7 +42,7 @@ local function ring(height, r, thick)
   return torus { center = { 0, 0, height }, major_radius = r, minor_radius = thick }
 end
 
-local clay = matte "#7a4f2a"
+local clay = matte "#33200f"
 local shade = difference { ball(radius), ball(radius - wall), holes }
 local fittings = ring(2.38, 0.5, 0.03) + ring(0.62, 0.47, 0.03)
   + (sphere { center = { 0, 0, 2.44 }, radius = 0.2 } - ball(radius))
