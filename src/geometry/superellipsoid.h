@@ -32,7 +32,7 @@ SurfaceUv surface_uv(const Superellipsoid& solid, Patch patch, Vec3d p);
 bool contains(const Superellipsoid& solid, Vec3d p);
 Box3d bounds(const Superellipsoid& solid);
 /// By quadrature, a few milliseconds. Accuracy: relative 1e-13 while the greatest radius is no more
-/// than 3 times the least, 1e-9 up to 10 times, 1e-6 up to 30 times.
+/// than 3 times the least, 1e-9 up to 10 times, 1e-5 up to 100 times.
 double area(const Superellipsoid& solid);
 /// Uniform by the direction of (x, y, z).
 BoundaryPoint sample_boundary(const Superellipsoid& solid, Vec2d u, double u_patch);

@@ -21,6 +21,28 @@ TEST(Superellipsoid, PlacedLinesStayWithinTheirBounds) {
   exact::expect_tight(exact::try_placed_lines<Superellipsoid>(102, 1000), 2e-13);
 }
 
+/// From the middle nothing displaces the line: what is left is the rounding of the norm.
+TEST(Superellipsoid, BoundsCoverTheRoundingOfTheNorm) {
+  Random random(108);
+  EventBuffer events;
+  double worst = 0;
+  for (int i = 0; i < 1000; ++i) {
+    auto solid = hostile::make<Superellipsoid>({}, random);
+    solid.center = {};
+    const Line line{{}, random.direction()};
+    intervals(solid, line, events);
+    const exact::Crossings expected = exact::crossings(solid, exact::exact_line(line));
+    ASSERT_EQ(events.size(), 2u);
+    ASSERT_EQ(expected.t.size(), 2u);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double error = exact::as_double(exact::magnitude(events[k].t - expected.t[k]));
+      ASSERT_LE(error, events[k].tau) << exact::describe(solid);
+      worst = std::max(worst, error / events[k].tau);
+    }
+  }
+  EXPECT_GT(worst, 0.005);
+}
+
 TEST(Superellipsoid, ParityHoldsOnEveryLine) {
   Random random(103);
   EventBuffer events;
