@@ -108,10 +108,43 @@ NodeKind quadric() {
   });
 }
 
+/// Beyond 2 the formula has dents.
+void check_exponent(double exponent, const Context& at) {
+  if (exponent <= 2.0) return;
+  at.fail("must be at most 2: beyond, the solid is not convex and cannot be met exactly");
+}
+
+NodeKind superellipsoid() {
+  using geometry::Superellipsoid;
+  Declaration<ObjectOf<Superellipsoid>> d(
+      {.name = "superellipsoid",
+       .doc = "Between ball, box, cylinder and octahedron: where (|x|^(2/e) + |y|^(2/e))^(e/n) + "
+              "|z|^(2/n) is at most 1, in units of 'radii' about 'center'.",
+       .section = section,
+       .examples = {"superellipsoid { radii = { 1, 1, 0.5 }, e = 0.2, n = 0.2 }",
+                    "superellipsoid { e = 1, n = 2 }"}});
+  d.parameter("center", &Superellipsoid::center, {.doc = "Its centre.", .unit = Unit::length})
+      .parameter("radii", &Superellipsoid::radii,
+                 {.doc = "Its half extents along x, y and z.",
+                  .unit = Unit::length,
+                  .range = schema::positive})
+      .parameter("e", &Superellipsoid::e,
+                 {.doc = "Shape across z, at most 2: near 0 square, 1 round, 2 a rhomb.",
+                  .range = schema::positive})
+      .parameter("n", &Superellipsoid::n,
+                 {.doc = "The same along z: near 0 with flat ends, 1 round, 2 pointed.",
+                  .range = schema::positive});
+  return node_kind(declare_object(d), [](ObjectOf<Superellipsoid>&& s, const Context& context) {
+    check_exponent(s.e, context.at("e"));
+    check_exponent(s.n, context.at("n"));
+    return object_node(Solid(static_cast<const Superellipsoid&>(s)), std::move(s), context);
+  });
+}
+
 }  // namespace
 
 std::vector<NodeKind> curved_solid_kinds() {
-  return {cone(), torus(), ellipsoid(), quadric()};
+  return {cone(), torus(), ellipsoid(), superellipsoid(), quadric()};
 }
 
 }  // namespace lapidary::description

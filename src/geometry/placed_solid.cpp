@@ -31,6 +31,10 @@ double image_error(const Cylinder& solid, const Cylinder& image, const Transform
   return ends * (1 + 2 * image.radius / height) +
          3 * (similarity_deviation(map.linear(), scale) + 4 * u_) * (image.radius + height);
 }
+/// No point of the surface is further off than the corner of its box.
+double image_error(const Superellipsoid& solid, const Superellipsoid& image, const Transform& map) {
+  return point_error(map, solid.center) + u_ * length(image.radii);
+}
 template <typename Other>
 double image_error(const Other&, const Other&, const Transform&) {
   return 0.0;  // its only image is itself

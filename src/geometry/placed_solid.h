@@ -58,7 +58,7 @@ SurfaceUv surface_uv(const PlacedSolid& placed, Patch patch, Vec3d p);
 bool contains(const PlacedSolid& placed, Vec3d p);
 /// Contains the exact image; tight to rounding.
 Box3d bounds(const PlacedSolid& placed);
-/// Exact to 1e-13 (relative) under any map; may be infinite.
+/// Exact to 1e-13 (relative) under any map, but for superellipsoids: see there. May be infinite.
 double area(const PlacedSolid& placed);
 /// As the solid is sampled in its own space: for most kinds uniform by area, then under a
 /// similarity in the world, too.

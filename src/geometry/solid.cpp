@@ -11,13 +11,27 @@ std::optional<Solid> image(const Sphere& sphere, const Transform& map) {
   return Sphere{map.point(sphere.center), sphere.radius * *scale};
 }
 
-std::optional<Solid> image(const Box& box, const Transform& map) {
-  const Mat3& m = map.linear();
+bool scales_along_axes(const Mat3& m) {
   for (std::size_t i = 0; i < 3; ++i) {
     const bool is_diagonal = m.row[i][(i + 1) % 3] == 0.0 && m.row[i][(i + 2) % 3] == 0.0;
-    if (!is_diagonal || !(m.row[i][i] > 0.0)) return std::nullopt;
+    if (!is_diagonal || !(m.row[i][i] > 0.0)) return false;
   }
+  return true;
+}
+
+std::optional<Solid> image(const Box& box, const Transform& map) {
+  if (!scales_along_axes(map.linear())) return std::nullopt;
   return Box{map.point(box.min), map.point(box.max)};
+}
+
+std::optional<Solid> image(const Superellipsoid& solid, const Transform& map) {
+  const Mat3& m = map.linear();
+  if (!scales_along_axes(m)) return std::nullopt;
+  const Vec3d r = solid.radii;
+  return Superellipsoid{map.point(solid.center),
+                        {m.row[0].x * r.x, m.row[1].y * r.y, m.row[2].z * r.z},
+                        solid.e,
+                        solid.n};
 }
 
 std::optional<Solid> image(const HalfSpace& half_space, const Transform& map) {
@@ -41,6 +55,9 @@ double density(const Kind& kind, Patch, Vec3d) {
 }
 double density(const Quadric& quadric, Patch patch, Vec3d p) {
   return sampling_pdf_area(quadric, patch, p);
+}
+double density(const Superellipsoid& solid, Patch patch, Vec3d p) {
+  return sampling_pdf_area(solid, patch, p);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "geometry/prism.h"
 #include "geometry/quadric.h"
 #include "geometry/sphere.h"
+#include "geometry/superellipsoid.h"
 #include "geometry/torus.h"
 #include "math/interval.h"
 #include "math/transform.h"
@@ -36,7 +37,7 @@ namespace lapidary::geometry {
 /// inline. Copying a kind does not throw, so a Solid is never without value; what does not fit into
 /// 64 bytes is a shared pointer to const.
 using Solid = std::variant<Sphere, Box, HalfSpace, Cylinder, MeshBody, Polyhedron, Cone, Prism,
-                           Torus, Quadric, Lathe>;
+                           Torus, Quadric, Lathe, Superellipsoid>;
 
 /// Every exact event of the solid on the line has a reported one within its tau, and no other is
 /// reported, except that chords no longer than the tau of their ends may be missing or extra.
@@ -61,11 +62,11 @@ BoundaryPoint sample_boundary(const Solid& solid, Vec2d u, double u_patch);
 double sampling_pdf_area(const Solid& solid, Patch patch, Vec3d p);
 
 /// The image of the solid under a map, where it is a solid of the same kind with the same patches:
-/// spheres, cylinders, cones and tori under similarities, boxes under positive scaling along the
-/// axes and translation, half-spaces under any map, all others under the identity: the rounding of
-/// new coefficients would displace the unbounded surface of a quadric without bound. Otherwise
-/// nothing. Accuracy: a few roundings of the coordinates; similarities as Transform::similarity has
-/// it.
+/// spheres, cylinders, cones and tori under similarities, boxes and superellipsoids under positive
+/// scaling along the axes and translation, half-spaces under any map, all others under the
+/// identity: the rounding of new coefficients would displace the unbounded surface of a quadric
+/// without bound. Otherwise nothing. Accuracy: a few roundings of the coordinates; similarities as
+/// Transform::similarity has it.
 std::optional<Solid> transformed(const Solid& solid, const Transform& world_from_object);
 
 }  // namespace lapidary::geometry

@@ -25,6 +25,7 @@ using geometry::Quadric;
 using geometry::Sheet;
 using geometry::Solid;
 using geometry::Sphere;
+using geometry::Superellipsoid;
 using geometry::Torus;
 using geometry::TriangleMesh;
 
@@ -50,6 +51,7 @@ struct VolumeOf {
   double operator()(const Polyhedron& p) const { return p.volume(); }
   double operator()(const Prism& p) const { return p.volume(); }
   double operator()(const Lathe& l) const { return l.volume(); }
+  double operator()(const Superellipsoid& s) const { return volume(s); }
 };
 
 std::optional<double> finite(double value) {

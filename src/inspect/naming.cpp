@@ -39,6 +39,7 @@ struct KindOf {
   std::string operator()(const geometry::Polyhedron&) const { return "polyhedron"; }
   std::string operator()(const geometry::Prism&) const { return "prism"; }
   std::string operator()(const geometry::Lathe&) const { return "lathe"; }
+  std::string operator()(const geometry::Superellipsoid&) const { return "superellipsoid"; }
   std::string operator()(const geometry::Rectangle&) const { return "rectangle"; }
   std::string operator()(const geometry::Disk&) const { return "disk"; }
 };

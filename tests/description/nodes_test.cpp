@@ -55,6 +55,22 @@ TEST_F(NodeTest, ShapesMeanWhatTheySay) {
   EXPECT_EQ(ring.major_radius, 2);
 }
 
+TEST_F(NodeTest, SuperellipsoidsAreConvex) {
+  const auto pill = solid<geometry::Superellipsoid>(
+      "superellipsoid", "{center = {1, 2, 3}, radii = {4, 5, 6}, e = 0.5, n = 2}");
+  EXPECT_EQ(pill.center, Vec3d(1, 2, 3));
+  EXPECT_EQ(pill.radii, Vec3d(4, 5, 6));
+  EXPECT_EQ(pill.e, 0.5);
+  EXPECT_EQ(pill.n, 2);
+  for (const std::string name : {"e", "n"}) {
+    EXPECT_THAT(make_.error_of("superellipsoid", "{" + name + " = 2.5}"),
+                HasSubstr(name + " of superellipsoid must be at most 2: beyond, the solid is not "
+                                 "convex and cannot be met exactly"));
+    EXPECT_THAT(make_.error_of("superellipsoid", "{" + name + " = 0}"),
+                HasSubstr("greater than 0"));
+  }
+}
+
 TEST_F(NodeTest, AQuadricHasTheCoefficientsGiven) {
   const auto q = solid<geometry::Quadric>(
       "quadric", "{squares = {1, 2, 3}, products = {4, 5, 6}, linear = {7, 8, 9}, constant = 10}");

@@ -3,6 +3,7 @@
 #include "event_checks.h"
 #include "exact_curved.h"
 #include "hostile_curved.h"
+#include "superellipsoid_shapes.h"
 
 /// Compares the events that the code finds on a line with the exact crossings, for solids that a
 /// line may cross any number of times.
@@ -28,6 +29,10 @@ inline std::string describe(const Torus& t) {
 inline std::string describe(const Quadric& q) {
   return in_words("quadric", words_of(q.form->squares), words_of(q.form->products),
                   words_of(q.form->linear), q.form->constant);
+}
+
+inline std::string describe(const Superellipsoid& s) {
+  return in_words("superellipsoid", words_of(s.center), words_of(s.radii), s.e, s.n);
 }
 
 template <typename Kind>

@@ -5,6 +5,7 @@
 #include "exact_curved.h"
 #include "geometry/placed_solid.h"
 #include "hostile_curved.h"
+#include "superellipsoid_shapes.h"
 #include "support/statistics.h"
 
 /// What every bounded curved kind has to fulfil, whatever it is.
@@ -16,7 +17,7 @@ using lapidary::test::Random;
 template <typename Kind>
 class CurvedSurface : public testing::Test {};
 
-using Kinds = testing::Types<Cone, Torus, Quadric>;
+using Kinds = testing::Types<Cone, Torus, Quadric, Superellipsoid>;
 TYPED_TEST_SUITE(CurvedSurface, Kinds);
 
 /// Calls `check` with solids of many sizes and points of their boundaries.

@@ -32,6 +32,10 @@ TEST(Measure, ClosedFormsOfSolids) {
   const Measure ring = measure_of(make_object(geometry::Torus{{}, {0, 0, 1}, 3, 1}));
   EXPECT_NEAR(ring.area.value(), 4 * pi * pi * 3, 1e-9);
   EXPECT_NEAR(ring.volume.value(), 2 * pi * pi * 3, 1e-9);
+  // Two cones, tip to tip away from each other.
+  const Measure top = measure_of(make_object(geometry::Superellipsoid{{}, {3, 3, 4}, 1, 2}));
+  EXPECT_NEAR(top.area.value(), 2 * pi * 3 * 5, 1e-7);
+  EXPECT_NEAR(top.volume.value(), 2 * pi * 9 * 4 / 3, 1e-9);
   EXPECT_NEAR(bucket.volume.value(), pi * (4 * 6 - 1 * 3) / 3,
               1e-9);  // the difference of two cones
 }
