@@ -60,7 +60,8 @@ inline std::vector<geometry::HalfSpace> brilliant_facets() {
   const auto ring = [&](int count, double first, double height, double tilt, double distance) {
     for (int i = 0; i < count; ++i) {
       const double turn = 2 * pi * (i + first) / count;
-      const Vec3d n{std::cos(turn) * std::cos(tilt), std::sin(tilt), std::sin(turn) * std::cos(tilt)};
+      const Vec3d n{std::cos(turn) * std::cos(tilt), std::sin(tilt),
+                    std::sin(turn) * std::cos(tilt)};
       facets.push_back({Vec3d{0, height, 0} + n * distance, n});
     }
   };

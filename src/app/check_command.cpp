@@ -95,7 +95,8 @@ std::string corner(Vec3d p) {
 std::string open_ends(const Box3d& box) {
   std::string list;
   const auto add = [&](double end, char sign, std::size_t axis) {
-    if (!std::isfinite(end)) list += fmt::format("{}{}{}", list.empty() ? "" : ", ", sign, "xyz"[axis]);
+    if (!std::isfinite(end))
+      list += fmt::format("{}{}{}", list.empty() ? "" : ", ", sign, "xyz"[axis]);
   };
   for (std::size_t axis = 0; axis < 3; ++axis) {
     add(box.max[axis], '+', axis);
@@ -134,7 +135,8 @@ void print_idle(const inspect::OperandReport& operands) {
 /// Where a model is so small, so far from the origin, that doubles hardly tell its surfaces apart.
 void print_cut_lines(const inspect::OperandReport& operands) {
   fmt::print(
-      "    rounding is as coarse as the model here: along {} of {} surfaces could not be told apart; "
+      "    rounding is as coarse as the model here: along {} of {} surfaces could not be told "
+      "apart; "
       "build it nearer to the origin\n",
       operands.cut_lines, counted(operands.lines_followed, "line"));
 }

@@ -19,8 +19,8 @@ enum class Operation : std::uint8_t { unite, intersect };
 /// operands of several others. Nodes are added operands first, so the graph has no cycles and is
 /// in topological order.
 ///
-/// `BooleanTree` normalises what is stated here. A difference a - b - c is the intersection of a, ~b
-/// and ~c.
+/// `BooleanTree` normalises what is stated here. A difference a - b - c is the intersection of a,
+/// ~b and ~c.
 class Expression {
  public:
   /// A solid, or a combination of terms, or the complement of either.
@@ -71,11 +71,12 @@ class Expression {
   /// patches they are takes their place, as a new leaf behind those that were stated; they keep
   /// their numbers and have no users.
   ///
-  /// What an intersection is made of is looked at as a BooleanTree sees it, brackets and complements
-  /// resolved, and patches are ordered by content: so it is the same however it is stated. Lines
-  /// cross the same planes at the same t, bit by bit. Where they cross an edge, within the error of
-  /// t, and so enter by several planes at once, t and normal are those of the last of them instead
-  /// of the one of least content. Takes n log n time for n half-spaces, and up to 512 n for faces.
+  /// What an intersection is made of is looked at as a BooleanTree sees it, brackets and
+  /// complements resolved, and patches are ordered by content: so it is the same however it is
+  /// stated. Lines cross the same planes at the same t, bit by bit. Where they cross an edge,
+  /// within the error of t, and so enter by several planes at once, t and normal are those of the
+  /// last of them instead of the one of least content. Takes n log n time for n half-spaces, and up
+  /// to 512 n for faces.
   void fuse_half_spaces(std::span<const Term> roots);
   /// For each leaf that is fused, from `Leaf::parts` on: the leaf that was stated for each patch.
   const std::vector<std::uint32_t>& fused_parts() const { return fused_parts_; }

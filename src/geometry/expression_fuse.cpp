@@ -23,7 +23,9 @@ struct Expression::Fusion {
   };
 
   Fusion(Expression& stated, std::span<const Term> roots)
-      : expression(stated), leaf_uses(stated.leaves_.size()), node_uses(stated.nodes_.size()),
+      : expression(stated),
+        leaf_uses(stated.leaves_.size()),
+        node_uses(stated.nodes_.size()),
         replacements(stated.leaves_.size()) {
     std::iota(replacements.begin(), replacements.end(), 0u);
     const auto count = [this](std::span<const Term> terms) {
@@ -83,14 +85,15 @@ struct Expression::Fusion {
     const auto less = [this](const Candidate& a, const Candidate& b) {
       if (group_less(a, b)) return true;
       if (group_less(b, a)) return false;
-      const PlacedSolid &p = expression.leaves_[a.leaf].solid, &q = expression.leaves_[b.leaf].solid;
+      const PlacedSolid &p = expression.leaves_[a.leaf].solid,
+                        &q = expression.leaves_[b.leaf].solid;
       if (content_less(p, q)) return true;
       return !content_less(q, p) && a.leaf < b.leaf;
     };
     std::sort(list.begin(), list.end(), less);
     for (auto first = list.begin(); first != list.end();) {
-      const auto last = std::find_if(
-          first, list.end(), [&](const Candidate& c) { return group_less(*first, c); });
+      const auto last = std::find_if(first, list.end(),
+                                     [&](const Candidate& c) { return group_less(*first, c); });
       fuse({first, last});
       first = last;
     }

@@ -61,8 +61,8 @@ class Combinations {
  public:
   Combinations(const description::SceneDescription& scene, ThreadPool& pool) : pool_(pool) {
     std::size_t count = 0;
-    description::for_each_leaf(
-        scene, [&](const description::Leaf& leaf) { count += is_combined(leaf); });
+    description::for_each_leaf(scene,
+                               [&](const description::Leaf& leaf) { count += is_combined(leaf); });
     budget_.crossings = total_crossings / std::clamp<std::size_t>(count, 1, most_bodies);
   }
 

@@ -43,8 +43,10 @@ class Shop {
   int count_ = 0;
 };
 
-const Transform places[]{{}, Transform::translation({0.1, 0.7, -0.3}),
-                         csg::odd_turn(1.7, {3, 1, 2}), csg::odd_placement()};
+const Transform places[]{{},
+                         Transform::translation({0.1, 0.7, -0.3}),
+                         csg::odd_turn(1.7, {3, 1, 2}),
+                         csg::odd_placement()};
 
 /// From above, down along z at x, y.
 Ray down(const Transform& map, double x, double y) {
