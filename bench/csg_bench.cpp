@@ -72,6 +72,8 @@ const Model models[]{
     {"perforated.100000", of_plate, ">=4", [](auto& e) { return perforated_plate(e, 400, 250); }},
     {"menger.3", of_body, "-", [](auto& e) { return menger_sponge(e, 3); }},
     {"menger.4", of_body, "-", [](auto& e) { return menger_sponge(e, 4); }},
+    {"brilliant.half_spaces", of_body, "-", [](auto& e) { return brilliant_of_half_spaces(e); }},
+    {"brilliant.polyhedron", of_body, "-", [](auto& e) { return brilliant_polyhedron(e); }},
     {"tree.8", of_body, "-", [](auto& e) { return AlternatingTree(e, 8).build(); }},
     {"tree.10", of_body, "-", [](auto& e) { return AlternatingTree(e, 10).build(); }},
 };

@@ -54,6 +54,37 @@ inline Term menger_sponge(Expression& expression, int level) {
   return expression.add(Operation::intersect, operands);
 }
 
+/// The 57 facets of a round brilliant, about as they are cut.
+inline std::vector<geometry::HalfSpace> brilliant_facets() {
+  std::vector<geometry::HalfSpace> facets{{{0, 0.45, 0}, {0, 1, 0}}};
+  const auto ring = [&](int count, double first, double height, double tilt, double distance) {
+    for (int i = 0; i < count; ++i) {
+      const double turn = 2 * pi * (i + first) / count;
+      const Vec3d n{std::cos(turn) * std::cos(tilt), std::sin(tilt),
+                    std::sin(turn) * std::cos(tilt)};
+      facets.push_back({Vec3d{0, height, 0} + n * distance, n});
+    }
+  };
+  ring(8, 0.5, 0.0, 1.185, 0.433);    // stars
+  ring(8, 0.0, 0.0, 0.969, 0.602);    // kites
+  ring(16, 0.5, 0.0, 0.852, 0.668);   // upper girdle
+  ring(16, 0.5, 0.0, -0.846, 0.665);  // lower girdle
+  ring(8, 0.0, 0.0, -0.859, 0.652);   // pavilion
+  return facets;
+}
+
+/// The same gem in two ways of writing.
+inline Term brilliant_of_half_spaces(Expression& expression) {
+  std::vector<Term> operands;
+  for (const geometry::HalfSpace& facet : brilliant_facets()) {
+    operands.push_back(leaf(expression, facet));
+  }
+  return expression.add(Operation::intersect, operands);
+}
+inline Term brilliant_polyhedron(Expression& expression) {
+  return leaf(expression, *geometry::intersection(brilliant_facets()));
+}
+
 /// A solid with a round hole.
 inline Term drilled(Expression& expression, const Solid& solid, const Cylinder& hole) {
   const Term operands[]{leaf(expression, solid), ~leaf(expression, hole)};

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <string>
 
@@ -51,13 +52,17 @@ std::string estimate_text(const inspect::Estimate& estimate) {
   return fmt::format("{:.5g} ±{:.1g}", estimate.value, estimate.standard_error);
 }
 
+constexpr const char* unmeasured = "not measured";
+
 std::string area_text(const ObjectReport& object) {
+  if (object.combined && !object.combination) return unmeasured;
   if (!object.combination) return number_or(object.measure.area, "infinite");
   const auto& size = object.combination->size;
   return size ? estimate_text(size->area) : "unbounded";
 }
 
 std::string volume_text(const ObjectReport& object) {
+  if (object.combined && !object.combination) return unmeasured;
   if (!object.combination) {
     return number_or(object.measure.volume, object.closed ? "infinite" : "-");
   }
@@ -86,11 +91,29 @@ std::string corner(Vec3d p) {
   return fmt::format("{{{:.4g}, {:.4g}, {:.4g}}}", p.x, p.y, p.z);
 }
 
+/// The axes along which a box does not end: "+x, -z".
+std::string open_ends(const Box3d& box) {
+  std::string list;
+  const auto add = [&](double end, char sign, std::size_t axis) {
+    if (!std::isfinite(end))
+      list += fmt::format("{}{}{}", list.empty() ? "" : ", ", sign, "xyz"[axis]);
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    add(box.max[axis], '+', axis);
+    add(box.min[axis], '-', axis);
+  }
+  return list;
+}
+
 /// What a combination comes to.
 std::string extent_text(const inspect::CombinationReport& combination) {
   const Box3d& box = combination.bounds;
   if (combination.operands.empty) return "nothing is left of it";
-  if (!box.bounded()) return "unbounded, so that it is neither measured nor framed";
+  if (!box.bounded()) {
+    return fmt::format(
+        "unbounded: nothing in it ends it towards {}, so that it is neither measured nor framed",
+        open_ends(box));
+  }
   return fmt::format("from {} to {}", corner(box.min), corner(box.max));
 }
 
@@ -109,6 +132,15 @@ void print_idle(const inspect::OperandReport& operands) {
              list);
 }
 
+/// Where a model is so small, so far from the origin, that doubles hardly tell its surfaces apart.
+void print_cut_lines(const inspect::OperandReport& operands) {
+  fmt::print(
+      "    rounding is as coarse as the model here: along {} of {} surfaces could not be told "
+      "apart; "
+      "build it nearer to the origin\n",
+      operands.cut_lines, counted(operands.lines_followed, "line"));
+}
+
 void print_combinations(const SceneReport& report) {
   std::size_t count = 0;
   for (const ObjectReport& object : report.surfaces) {
@@ -121,6 +153,7 @@ void print_combinations(const SceneReport& report) {
                extent_text(*object.combination),
                size ? fmt::format("; {}", counted(size->lines, "line")) : "");
     if (!operands.idle.empty() && !operands.empty) print_idle(operands);
+    if (operands.cut_lines > 0) print_cut_lines(operands);
   }
   print_more(count);
   if (report.unmeasured > 0) {

@@ -29,6 +29,17 @@ bool has_emissive_part(const Object& object) {
 
 }  // namespace
 
+void for_each_leaf(const SceneDescription& scene, const std::function<void(const Leaf&)>& visit) {
+  std::vector<Removed> removed;
+  for_each_leaf(scene.objects, [&](const Leaf& leaf) {
+    if (!scene.section || gives_light(leaf)) return visit(leaf);
+    removed.assign(leaf.removed.begin(), leaf.removed.end());
+    removed.push_back({scene.section, {}});
+    visit({leaf.object, leaf.world_from_object, leaf.material, leaf.name, leaf.interior,
+           leaf.priority, leaf.cut, removed});
+  });
+}
+
 bool gives_light(const Leaf& leaf) {
   if (emits(leaf.material)) return true;
   const auto* mesh = std::get_if<Mesh>(&leaf.object.content);

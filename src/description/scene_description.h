@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,6 +27,10 @@ struct SceneDescription {
   double metres_per_unit = 1;
   schema::CallSite where;
 };
+
+/// Calls `visit` for every leaf of the scene's objects in the order of writing; what the scene's
+/// section takes away comes last in `removed`. The references hold for the duration of the call.
+void for_each_leaf(const SceneDescription& scene, const std::function<void(const Leaf&)>& visit);
 
 /// Whether any part of it wears Emissive.
 bool gives_light(const Leaf& leaf);

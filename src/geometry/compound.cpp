@@ -78,8 +78,11 @@ std::vector<bool> in_one_piece(const BooleanTree& tree, std::span<const Box3d> l
 
 Compound::Compound(Expression expression, std::span<const Expression::Term> roots,
                    std::span<const Box3d> guests)
-    : tree_(expression, roots) {
+    : stated_leaves_(expression.leaves().size()) {
+  expression.fuse_half_spaces(roots);
+  tree_ = BooleanTree(expression, roots);
   leaves_ = expression.take_leaves();
+  fused_parts_ = expression.take_fused_parts();
   std::vector<Box3d> leaf_bounds;
   leaf_bounds.reserve(leaves_.size());
   for (const Leaf& leaf : leaves_) leaf_bounds.push_back(geometry::bounds(leaf.solid));
@@ -101,7 +104,7 @@ Compound::Compound(Expression expression, std::span<const Expression::Term> root
     placed.push_back({item, unit, box});
   };
   for (std::uint32_t i = 0; i < leaves_.size(); ++i) {
-    live_leaves_ += clipped.leaves[i].empty() ? 0 : 1;
+    if (!clipped.leaves[i].empty()) live_leaves_ += std::max<std::size_t>(1, parts(i).size());
     place(leaf_item(i), units.of_leaf(i), clipped.leaves[i]);
   }
   for (std::uint32_t i = 0; i < guests.size(); ++i) {
@@ -156,7 +159,7 @@ Compound::Item Compound::feeding(Item item, std::span<const Link> links, bool at
 }
 
 std::size_t Compound::bytes() const {
-  return leaves_.size() * sizeof(Leaf) + tree_.bytes() + bvh_.bytes() +
+  return leaves_.size() * sizeof(Leaf) + fused_parts_.size() * 4 + tree_.bytes() + bvh_.bytes() +
          (items_.size() + unbounded_.size()) * sizeof(Item) + root_bounds_.size() * sizeof(Box3d);
 }
 

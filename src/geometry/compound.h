@@ -42,6 +42,20 @@ class Compound {
   const Leaf& leaf(std::uint32_t index) const { return leaves_[index]; }
   const std::vector<Leaf>& leaves() const { return leaves_; }
   const BooleanTree& tree() const { return tree_; }
+  /// How many of `leaves()` were stated; those behind them are fused of some of these, which then
+  /// are in no hierarchy.
+  std::size_t stated_leaves() const { return stated_leaves_; }
+  /// What a leaf is fused of (`Expression::fuse_half_spaces`), by patch; nothing for others.
+  std::span<const std::uint32_t> parts(std::uint32_t leaf) const {
+    if (leaves_[leaf].parts == Expression::no_parts) return {};
+    const auto& fused = std::get<Polyhedron>(leaves_[leaf].solid.shape());
+    return std::span(fused_parts_).subspan(leaves_[leaf].parts, fused.face_count());
+  }
+  /// The leaf as it was stated that a patch belongs to.
+  std::uint32_t stated_leaf(std::uint32_t leaf, Patch patch) const {
+    const std::uint32_t parts = leaves_[leaf].parts;
+    return parts == Expression::no_parts ? leaf : fused_parts_[parts + patch];
+  }
 
   const Bvh& bvh() const { return bvh_; }
   Item item(Bvh::Ref ref) const { return items_[ref.item()]; }
@@ -54,7 +68,7 @@ class Compound {
   const Box3d& bounds(std::size_t root) const { return root_bounds_[root]; }
   /// What surrounds every part of every root that is bounded.
   const Box3d& bounded_part() const { return bounded_part_; }
-  /// Leaves that can matter anywhere.
+  /// Leaves that can matter anywhere, as they were stated.
   std::size_t live_leaves() const { return live_leaves_; }
   std::size_t bytes() const;
 
@@ -65,12 +79,13 @@ class Compound {
   Item feeding(Item item, std::span<const Link> links, bool at_rest) const;
 
   std::vector<Leaf> leaves_;
+  std::vector<std::uint32_t> fused_parts_;
   BooleanTree tree_;
   Bvh bvh_;  ///< a hierarchy for each unit; number 0 is around them all
   std::vector<Item> items_, unbounded_;
   std::vector<Box3d> root_bounds_;
   Box3d bounded_part_;
-  std::size_t live_leaves_ = 0;
+  std::size_t stated_leaves_ = 0, live_leaves_ = 0;
 };
 
 }  // namespace lapidary::geometry

@@ -72,4 +72,8 @@ bool content_less(const PlacedSolid& a, const PlacedSolid& b) {
   return compare(a.world_from_solid(), b.world_from_solid()) < 0;
 }
 
+bool placement_less(const PlacedSolid& a, const PlacedSolid& b) {
+  return compare(a.world_from_solid(), b.world_from_solid()) < 0;
+}
+
 }  // namespace lapidary::geometry

@@ -7,7 +7,7 @@ namespace lapidary::geometry {
 Expression::Term Expression::add(const PlacedSolid& solid, SurfaceTag tag) {
   const auto index = static_cast<std::uint32_t>(leaves_.size());
   assert(index < Term::leaf_bit);
-  leaves_.push_back({solid, tag});
+  leaves_.push_back({solid, tag, no_parts});
   return Term(index | Term::leaf_bit);
 }
 

@@ -1,5 +1,7 @@
 #include "geometry/placed_solid.h"
 
+#include <vector>
+
 #include "geometry/affine_area.h"
 #include "geometry/affine_error.h"
 #include "geometry/curved_placement.h"
@@ -124,6 +126,30 @@ void PlacedSolid::set_baked(const Solid& image, const Solid& solid, const OwnSpa
   }
 }
 
+std::optional<PlacedSolid> PlacedSolid::fused(std::span<const PlacedSolid> half_spaces) {
+  std::vector<HalfSpace> images, stated;
+  for (const PlacedSolid& h : half_spaces) {
+    images.push_back(std::get<HalfSpace>(h.shape()));
+    stated.push_back(std::get<HalfSpace>(h.solid()));
+  }
+  const auto is_bounded = [](const std::optional<Polyhedron>& p) {
+    return p && std::isfinite(geometry::area(*p));
+  };
+  const std::optional<Polyhedron> shape = intersection(images);
+  if (!is_bounded(shape)) return std::nullopt;
+  PlacedSolid fused(*shape, {});
+  for (const PlacedSolid& h : half_spaces) {
+    fused.surface_error_ = std::max(fused.surface_error_, h.surface_error_);
+    fused.angle_error_ = std::max(fused.angle_error_, h.angle_error_);
+  }
+  if (const OwnSpace* space = half_spaces.front().own_space()) {
+    const std::optional<Polyhedron> solid = intersection(stated);
+    if (!is_bounded(solid)) return std::nullopt;
+    fused.origin_ = std::make_shared<const Origin>(Origin{*solid, *space});
+  }
+  return fused;
+}
+
 const Transform& PlacedSolid::world_from_solid() const {
   static const Transform identity;
   return origin_ ? origin_->space.world_from_own() : identity;
@@ -148,17 +174,39 @@ bool contains(const PlacedSolid& placed, Vec3d p) {
   return contains(placed.shape(), placed.own_space()->point(p));
 }
 
+namespace {
+
+/// Of all polyhedra whose planes are displaced by up to `error`: where they meet at small angles
+/// their corners are displaced by far more than that.
+Box3d bounds_of_displaced(const Polyhedron& polyhedron, double error) {
+  if (error == 0.0) return bounds(polyhedron);
+  std::vector<HalfSpace> faces;
+  for (Patch patch = 0; patch < polyhedron.face_count(); ++patch) {
+    HalfSpace face = polyhedron.face(patch);
+    // The point rounds by less than what is added to the error here.
+    const double shift = 2 * error + 4 * u_ * one_norm(face.point);
+    face.point += normalize(face.normal) * shift;
+    faces.push_back(face);
+  }
+  const auto displaced = intersection(faces);
+  return displaced ? bounds(*displaced) : Box3d::all();
+}
+
+}  // namespace
+
 Box3d bounds(const PlacedSolid& placed) {
   if (placed.space() == PlacedSolid::Space::world) {
-    return padded(bounds(placed.shape()), placed.surface_error());
+    const auto* polyhedron = std::get_if<Polyhedron>(&placed.shape());
+    if (!polyhedron) return padded(bounds(placed.shape()), placed.surface_error());
+    if (!placed.own_space()) return bounds_of_displaced(*polyhedron, placed.surface_error());
   }
   const Transform& map = placed.world_from_solid();
   const Box3d box =
-      std::visit([&](const auto& kind) { return affine_bounds(kind, map); }, placed.shape());
+      std::visit([&](const auto& kind) { return affine_bounds(kind, map); }, placed.solid());
   const bool is_number = !std::isnan(one_norm(box.min)) && !std::isnan(one_norm(box.max));
   if (!is_number) return Box3d::all();  // infinities that met
   // Every term that the corners are sums of is at most this, and each has a few roundings.
-  const Box3d own = bounds(placed.shape());
+  const Box3d own = bounds(placed.solid());
   // Where the solid is without bounds, so is the image, or it does not come in.
   const auto finite = [](double x) { return std::isfinite(x) ? std::abs(x) : 0.0; };
   Vec3d reach;

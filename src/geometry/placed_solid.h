@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 
 #include "geometry/own_space.h"
 #include "geometry/solid.h"
@@ -21,6 +23,11 @@ class PlacedSolid {
   enum class Space : std::uint8_t { world, own };
 
   PlacedSolid(const Solid& solid, const Transform& world_from_solid);
+  /// What half-spaces (at least one) that stand in the world by the same map have in common, as one
+  /// polyhedron whose patches they are: lines cross each at the same t as the half-space itself,
+  /// and its error is at most the greatest of theirs. Nothing where that is unbounded or has no
+  /// volume.
+  static std::optional<PlacedSolid> fused(std::span<const PlacedSolid> half_spaces);
 
   /// What lines meet: the image in the world, or the solid itself in its own space.
   const Solid& shape() const { return shape_; }

@@ -113,8 +113,8 @@ SurfaceUv SolidScene::surface_uv(std::uint32_t place, std::uint32_t leaf, Patch 
 }
 
 std::size_t SolidScene::leaf_count() const {
-  std::size_t count = world_.leaves().size();
-  for (const Place& place : places_) count += assemblies_[place.assembly].leaves().size();
+  std::size_t count = world_.stated_leaves();
+  for (const Place& place : places_) count += assemblies_[place.assembly].stated_leaves();
   return count;
 }
 

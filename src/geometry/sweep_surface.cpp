@@ -77,11 +77,13 @@ void Sweep::describe(const Change& change, Transition& found) {
   found.after = after;
   found.surface_of = enters ? after : before;
 
-  const auto leaf_of = [this](const Member& m) -> const Compound::Leaf& {
-    return s_->slots[m.slot].compound->leaf(m.leaf);
-  };
+  // As they were stated: what is fused shows the same as what it is fused of.
   const auto order_of = [this](const Member& m) {
-    return std::pair(s_->slots[m.slot].place, m.leaf);
+    const Scratch::Slot& at = s_->slots[m.slot];
+    return std::pair(at.place, at.compound->stated_leaf(m.leaf, m.patch));
+  };
+  const auto leaf_of = [&](const Member& m) -> const Compound::Leaf& {
+    return s_->slots[m.slot].compound->leaf(order_of(m).second);
   };
   // Some leaf is found: a node changes only with one of its children, down to the leaves.
   const Member *shown = nullptr, *placed = nullptr;

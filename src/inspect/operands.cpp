@@ -56,9 +56,14 @@ class AimedLines {
   bool whole_line_;
 };
 
-/// Calls `visit` for what surfaces the ray meets; whether it met anything of the body at all.
+struct LineResult {
+  bool met_body;  ///< at all
+  std::uint64_t cut_groups;
+};
+
+/// Calls `visit` for what surfaces the ray meets.
 template <typename Visit>
-bool follow(const SolidScene& body, const geometry::Ray& ray, Visit visit) {
+LineResult follow(const SolidScene& body, const geometry::Ray& ray, Visit visit) {
   geometry::Sweep sweep(body, ray);
   geometry::Transition found;
   bool any = false;
@@ -66,7 +71,7 @@ bool follow(const SolidScene& body, const geometry::Ray& ray, Visit visit) {
     any = true;
     visit(found);
   }
-  return any || sweep.region() != SolidScene::no_region;
+  return {any || sweep.region() != SolidScene::no_region, sweep.cut_groups()};
 }
 
 /// Every so many-th leaf is looked at where there are too many.
@@ -80,24 +85,34 @@ OperandReport examine_operands(const SolidScene& body) {
   const geometry::Compound& compound = body.world();
   const std::vector<Box3d> boxes = leaf_boxes(compound);
   OperandReport report;
-  report.stated = boxes.size();
+  report.stated = compound.stated_leaves();
   report.live = compound.live_leaves();
   report.lines = lines_each;
   report.empty = true;
-  std::vector<bool> seen(boxes.size());
-  for (std::size_t leaf = 0; leaf < boxes.size(); leaf += stride_of(boxes.size())) {
-    if (boxes[leaf].empty()) continue;
-    ++report.examined;
-    const AimedLines lines(boxes[leaf], static_cast<std::uint32_t>(leaf));
-    for (std::size_t i = 0; i < lines_each && !seen[leaf]; ++i) {
-      const bool met =
-          follow(body, lines.ray(i), [&](const auto& found) { seen[found.leaf] = true; });
-      report.empty = report.empty && !met;
+  std::vector<bool> seen(report.stated);
+  const std::size_t stride = stride_of(boxes.size());
+  for (std::size_t number = 0; number < boxes.size(); number += stride) {
+    if (boxes[number].empty()) continue;
+    const auto leaf = static_cast<std::uint32_t>(number);
+    std::vector<std::uint32_t> unseen = stated_as(compound, leaf);
+    report.examined += unseen.size();
+    const auto drop_seen = [&] { std::erase_if(unseen, [&](auto part) { return seen[part]; }); };
+    drop_seen();
+    const AimedLines lines(boxes[leaf], leaf);
+    for (std::size_t i = 0; i < lines_each && !unseen.empty(); ++i) {
+      const LineResult line = follow(body, lines.ray(i), [&](const auto& found) {
+        seen[compound.stated_leaf(found.leaf, found.patch)] = true;
+      });
+      report.empty = report.empty && !line.met_body;
+      report.cut_lines += line.cut_groups > 0 ? 1 : 0;
+      ++report.lines_followed;
+      drop_seen();
     }
-    if (seen[leaf]) continue;
-    report.idle.push_back(
-        {static_cast<std::uint32_t>(leaf), kind_of(compound.leaves()[leaf].solid.solid())});
+    for (const std::uint32_t part : unseen) {
+      report.idle.push_back({part, kind_of(compound.leaf(part).solid.solid())});
+    }
   }
+  std::ranges::sort(report.idle, {}, &IdleOperand::number);
   if (boxes.empty()) report.empty = geometry::region_at(body, {}) == SolidScene::no_region;
   return report;
 }
@@ -109,7 +124,7 @@ bool seems_empty(const SolidScene& body) {
     if (boxes[leaf].empty()) continue;
     const AimedLines lines(boxes[leaf], static_cast<std::uint32_t>(leaf));
     for (std::size_t i = 0; i < lines_each; ++i) {
-      if (follow(body, lines.ray(i), [](const auto&) {})) return false;
+      if (follow(body, lines.ray(i), [](const auto&) {}).met_body) return false;
     }
   }
   return true;

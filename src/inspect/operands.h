@@ -23,6 +23,10 @@ struct OperandReport {
   std::vector<IdleOperand> idle;
   std::size_t lines = 0;
   std::size_t examined = 0;
+  /// Of all lines that were followed those along which surfaces could not be told apart, since
+  /// rounding at this place is coarser than what is modelled: what they found may be wrong.
+  std::size_t cut_lines = 0;
+  std::size_t lines_followed = 0;
   /// Whether the body has no surface and nothing inside, as far as these lines say.
   bool empty = false;
 };

@@ -165,8 +165,10 @@ ProbeHit Probe::solid_hit(const geometry::Line& line, const Transition& found) c
   ProbeHit hit;
   hit.t = found.t;
   hit.object = labels_[fillings_[region].object];
-  hit.leaf = found.place == 0 ? found.leaf - first_leaves_[region] : found.leaf;
-  hit.kind = kind_of(solids_.compound(found.place).leaf(found.leaf).solid.solid());
+  const geometry::Compound& compound = solids_.compound(found.place);
+  const std::uint32_t leaf = compound.stated_leaf(found.leaf, found.patch);
+  hit.leaf = found.place == 0 ? leaf - first_leaves_[region] : leaf;
+  hit.kind = kind_of(compound.leaf(leaf).solid.solid());
   hit.normal = found.is_complement ? -normal : normal;
   hit.crossing = region == found.after ? Crossing::enter : Crossing::leave;
   return hit;

@@ -51,7 +51,8 @@ ObjectReport report_on(const description::Leaf& leaf, Closures& closures) {
     report.closed = report.closure->closed();
     if (!report.closed) report.measure.volume.reset();
   }
-  if (!leaf.removed.empty()) report.measure.area = report.measure.volume = std::nullopt;
+  report.combined = is_combined(leaf);
+  if (report.combined) report.measure.area = report.measure.volume = std::nullopt;
   return report;
 }
 
@@ -60,7 +61,7 @@ class Combinations {
  public:
   Combinations(const description::SceneDescription& scene, ThreadPool& pool) : pool_(pool) {
     std::size_t count = 0;
-    description::for_each_leaf(scene.objects,
+    description::for_each_leaf(scene,
                                [&](const description::Leaf& leaf) { count += is_combined(leaf); });
     budget_.crossings = total_crossings / std::clamp<std::size_t>(count, 1, most_bodies);
   }
@@ -123,16 +124,16 @@ SceneReport inspect(const description::SceneDescription& scene, ThreadPool& pool
   Closures closures;
   Combinations combinations(scene, pool);
   OpaqueBodies bodies;
-  description::for_each_leaf(scene.objects, [&](const description::Leaf& leaf) {
+  description::for_each_leaf(scene, [&](const description::Leaf& leaf) {
     ObjectReport& surface = report.surfaces.emplace_back(report_on(leaf, closures));
     Body body{&leaf.object, leaf.world_from_object, surface.measure.bounds,
               report.surfaces.size() - 1};
-    if (is_combined(leaf)) {
+    if (surface.combined) {
       body.combined = combinations.look_at(leaf, surface);
       if (body.combined) body.bounds = surface.combination->bounds;
       if (!body.combined) ++report.unmeasured;
     }
-    if (surface.closed && (body.combined || !is_combined(leaf))) bodies.add(leaf, body);
+    if (surface.closed && (body.combined || !surface.combined)) bodies.add(leaf, body);
     report.lights += surface.worn.glow == Glow::none ? 0 : 1;
     if (surface.worn.glow == Glow::whole) return;
     ++report.objects;

@@ -34,7 +34,8 @@ struct ObjectReport {
   /// Whether it has an inside: solids have, sheets have not, meshes have if they are closed.
   bool closed = false;
   std::optional<geometry::MeshClosure> closure;  ///< of meshes only
-  /// Of what is combined of several, unless there is too much of that in the scene.
+  bool combined = false;                         ///< of several solids, or cut by a section
+  /// Of what is combined, unless there is too much of that in the scene.
   std::optional<CombinationReport> combination;
 };
 
@@ -58,8 +59,8 @@ struct SceneReport {
   std::size_t triangles = 0;   ///< of the objects, instances counted each
 };
 
-/// Looks at every object and light of `scene`; its section is for the eye and takes nothing away
-/// here. Throws Error where a combination cannot be built.
+/// Looks at every object and light of `scene`, cut by its section as a renderer cuts them. Throws
+/// Error where a combination cannot be built.
 SceneReport inspect(const description::SceneDescription& scene, ThreadPool& pool);
 
 }  // namespace lapidary::inspect

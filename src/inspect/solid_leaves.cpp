@@ -1,11 +1,17 @@
 #include "inspect/solid_leaves.h"
 
+#include <algorithm>
 #include <span>
 
 namespace lapidary::inspect {
 
 using geometry::BooleanTree;
 using geometry::SolidScene;
+
+std::vector<std::uint32_t> stated_as(const geometry::Compound& compound, std::uint32_t leaf) {
+  const auto parts = compound.parts(leaf);
+  return parts.empty() ? std::vector{leaf} : std::vector(parts.begin(), parts.end());
+}
 
 std::vector<std::uint32_t> first_leaves(const SolidScene& solids) {
   const BooleanTree& tree = solids.world().tree();
@@ -19,11 +25,16 @@ std::vector<std::uint32_t> first_leaves(const SolidScene& solids) {
   for (std::uint32_t i = 0; i < region_of_node.size(); ++i) {
     region_of_node[i] = region_of(tree.node_links(i));
   }
-  std::vector<std::uint32_t> first(solids.region_count(), 0);
-  for (auto leaf = static_cast<std::uint32_t>(tree.leaf_count()); leaf-- > 0;) {
+  constexpr std::uint32_t none = ~0u;
+  std::vector<std::uint32_t> first(solids.region_count(), none);
+  for (std::uint32_t leaf = 0; leaf < tree.leaf_count(); ++leaf) {
     const std::uint32_t region = region_of(tree.leaf_links(leaf));
-    if (region != SolidScene::no_region) first[region] = leaf;
+    if (region == SolidScene::no_region) continue;
+    for (const std::uint32_t stated : stated_as(solids.world(), leaf)) {
+      first[region] = std::min(first[region], stated);
+    }
   }
+  std::ranges::replace(first, none, 0u);
   return first;
 }
 

@@ -8,6 +8,9 @@
 
 namespace lapidary::inspect {
 
+/// The leaves that were stated for a leaf of a compound: itself, or those that it is fused of.
+std::vector<std::uint32_t> stated_as(const geometry::Compound& compound, std::uint32_t leaf);
+
 /// For each region the least number, in its compound, of the leaves that it is made of: what
 /// `scene::assemble` writes for a region is a run of leaves in the order of writing. 0 for
 /// instances and for regions without leaves.

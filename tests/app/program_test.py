@@ -361,6 +361,20 @@ class Check(ProgramTest):
         self.assertAlmostEqual(volume, 8 - 4 / 3 * math.pi, delta=0.004 + 4 * volume_error)
         self.assertIn("3 operands, 1 of them clipped away; from {-1, -1, -1} to {1, 1, 1}", text)
 
+    def test_sees_what_the_section_leaves(self):
+        self.write("scene.lua", "return scene { objects = { sphere {} }, section = half_space {} }")
+        text = self.succeed("check", "scene.lua").stdout
+        self.assertAlmostEqual(float(re.search(r"(\S+) ±\S+  sphere ", text)[1]),
+                               2 / 3 * math.pi, delta=0.02)
+        self.assertIn("2 operands, 0 of them clipped away; from {-1, -1, -1} to {1, 1, 1}", text)
+
+    def test_says_where_an_unbounded_solid_has_no_end(self):
+        self.write("scene.lua", "return scene { objects = { half_space {} - "
+                                "box { size = {2, 2, 2} } } }")
+        text = self.succeed("check", "scene.lua").stdout
+        self.assertRegex(text, "difference +0  yes +unbounded +unbounded ")
+        self.assertIn("unbounded: nothing in it ends it towards +x, -x, +y, -y, -z, so that", text)
+
     def test_names_operands_that_do_nothing(self):
         self.write("scene.lua", "return scene { objects = { box { size = {2, 2, 2} } + "
                                 "sphere { radius = 0.5 } } }")

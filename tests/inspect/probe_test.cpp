@@ -74,6 +74,22 @@ TEST(Probe, ListsTheWallsOfADrilledBox) {
               {{1, "plate", "box", 0, {1, 0, 0}, Crossing::leave, "plate", "outside"}});
 }
 
+// Lines meet the half-spaces as one polyhedron; the author is told of what was written.
+TEST(Probe, NamesHalfSpacesThatAreFused) {
+  ObjectPtr cube;
+  for (std::size_t i = 0; i < 6; ++i) {
+    Vec3d n;
+    n[i % 3] = i < 3 ? 1 : -1;
+    const ObjectPtr part = make_object(geometry::HalfSpace{n, n});
+    cube = cube ? combined(SetOperation::intersect, cube, part, {}) : part;
+  }
+  const ObjectPtr first = make_object(geometry::Sphere{{0, 40, 0}, 1});
+  const Probe probe(scene_of({first, named(cube, "cube")}));
+  expect_hits(probe.along({-4, 0, 0}, {1, 0, 0}),
+              {{3, "cube", "half-space", 3, {-1, 0, 0}, Crossing::enter, "outside", "cube"},
+               {5, "cube", "half-space", 0, {1, 0, 0}, Crossing::leave, "cube", "outside"}});
+}
+
 TEST(Probe, NamesMediaByTheirGlass) {
   const ObjectPtr water = in_glass(make_object(geometry::Box{{-2, -2, -2}, {2, 2, 0}}), "water");
   const ObjectPtr ball = in_glass(make_object(geometry::Sphere{{0, 0, 0}, 1}), "N-BK7");

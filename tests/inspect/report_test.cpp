@@ -86,6 +86,27 @@ TEST(Report, SectionsOfGroupsLeaveSheetsAlone) {
   EXPECT_NEAR(volume.value, half_ball, 1e-3 * half_ball + 3 * volume.standard_error);
 }
 
+// As a renderer cuts: everything but sheets, and what gives light.
+TEST(Report, TheSectionOfTheSceneCutsItsSolids) {
+  const auto ball = make_object(geometry::Sphere{{}, 1}), disk = make_object(geometry::Disk{});
+  description::SceneDescription scene;
+  scene.objects = {ball, glowing(ball), disk, make_object(shared(cube_mesh()))};
+  scene.section = make_object(geometry::HalfSpace{});  // all below z = 0
+  const SceneReport report = inspect(scene, pool);
+  ASSERT_EQ(report.surfaces.size(), 4u);
+  ASSERT_TRUE(report.surfaces[0].combination);
+  const double half_ball = 2.0943951023931953;
+  const Estimate volume = report.surfaces[0].combination->size.value().volume;
+  EXPECT_NEAR(volume.value, half_ball, 1e-3 * half_ball + 3 * volume.standard_error);
+  EXPECT_FALSE(report.surfaces[1].combined);
+  EXPECT_NEAR(report.surfaces[1].measure.volume.value(), 2 * half_ball, 1e-12);
+  EXPECT_FALSE(report.surfaces[2].combined);
+  EXPECT_TRUE(report.surfaces[2].measure.area);
+  ASSERT_TRUE(report.surfaces[3].combination);
+  const Estimate half_cube = report.surfaces[3].combination->size.value().volume;
+  EXPECT_NEAR(half_cube.value, 0.5, 1e-3 + 3 * half_cube.standard_error);
+}
+
 TEST(Report, CombinationsCanGiveLight) {
   auto lamp = std::make_shared<description::Material>();
   lamp->model = description::Emissive{};
