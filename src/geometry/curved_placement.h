@@ -7,11 +7,10 @@
 namespace lapidary::geometry {
 
 // What placing cones, tori and quadrics takes, as placed_solid.cpp has it for the kinds it knows
-// itself:
-//   image          of the solid under the map, where it is of the same kind
-//   image_error    bounds how far the surface of `image`, computed in doubles, is from the exact
-//   one affine_bounds  of the exact image under any map, to rounding affine_area    of the image
-//   under any linear map, to 1e-13 (relative)
+// itself. `image` is the solid under the map, where that is of the same kind; `image_error` bounds
+// how far the surface of the image, computed in doubles, is from the exact one; `affine_bounds` are
+// those of the exact image under any map, to rounding; `affine_area` is that of the image under any
+// linear map, to 1e-13 (relative).
 
 std::optional<Solid> image(const Cone& cone, const Transform& map);
 double image_error(const Cone& solid, const Cone& image, const Transform& map);
