@@ -76,19 +76,21 @@ void print_more(std::size_t total) {
 
 void print_objects(const SceneReport& report) {
   if (report.objects == 0) return;
-  fmt::print("\n  {:<12}{:>10}  {:<12}{:>17}  {:>17}  {}\n", "kind", "triangles", "closed", "area",
+  fmt::print("\n  {:<16}{:>10}  {:<12}{:>17}  {:>17}  {}\n", "kind", "triangles", "closed", "area",
              "volume", "object");
   std::size_t count = 0;
   for (const ObjectReport& object : report.surfaces) {
     if (object.worn.glow == Glow::whole || ++count > longest_list) continue;
-    fmt::print("  {:<12}{:>10}  {:<12}{:>17}  {:>17}  {}\n", object.kind, object.triangles,
+    fmt::print("  {:<16}{:>10}  {:<12}{:>17}  {:>17}  {}\n", object.kind, object.triangles,
                closed_text(object), area_text(object), volume_text(object), label(object));
   }
   print_more(count);
 }
 
 std::string corner(Vec3d p) {
-  return fmt::format("{{{:.4g}, {:.4g}, {:.4g}}}", p.x, p.y, p.z);
+  // Boxes are rounded outward: a zero to the least number there is.
+  const auto shown = [](double x) { return std::abs(x) < 1e-300 ? 0.0 : x; };
+  return fmt::format("{{{:.4g}, {:.4g}, {:.4g}}}", shown(p.x), shown(p.y), shown(p.z));
 }
 
 /// The axes along which a box does not end: "+x, -z".
@@ -163,17 +165,17 @@ void print_combinations(const SceneReport& report) {
 
 void print_lights(const SceneReport& report) {
   if (report.lights == 0) return;
-  fmt::print("\n  {:<13}{:>14}  {}\n", "kind", "area", "light");
+  fmt::print("\n  {:<16}{:>11}  {}\n", "kind", "area", "light");
   std::size_t count = 0;
   for (const ObjectReport& light : report.surfaces) {
     if (light.worn.glow == Glow::none || ++count > longest_list) continue;
     const bool whole = light.worn.glow == Glow::whole;
-    fmt::print("  {:<13}{:>14}  {}\n", light.kind,
+    fmt::print("  {:<16}{:>11}  {}\n", light.kind,
                whole ? number_or(light.measure.area, "infinite") : "a part", label(light));
   }
   for (const inspect::LightReport& light : report.lights_without_surface) {
     if (++count > longest_list) continue;
-    fmt::print("  {:<13}{:>14}  {}\n", light.kind, "-", placed(light.kind, light.where));
+    fmt::print("  {:<16}{:>11}  {}\n", light.kind, "-", placed(light.kind, light.where));
   }
   print_more(count);
 }
