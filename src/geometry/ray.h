@@ -59,8 +59,8 @@ struct Hit {
   std::uint32_t place = 0;     ///< of a leaf: where its compound stands (Transition::place)
   std::uint32_t triangle = 0;  ///< of the mesh
   SurfaceTag tag = 0;          ///< of a solid
-  /// Of a solid: the leaf of the same compound that wears the tag, and its patch. Another than
-  /// `index` only where faces coincide.
+  /// Of a solid: the leaf of the same compound that wears the tag, as it was stated, and its patch.
+  /// Another than `index` where faces coincide, or half-spaces are fused.
   std::uint32_t worn_leaf = 0;
   Patch worn_patch = 0;
   /// The regions of solids that fill the ray's way here, and what is behind; of sheets and

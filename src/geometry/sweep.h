@@ -25,8 +25,8 @@ struct Transition {
   Crossing crossing = Crossing::enter;  ///< of the leaf as it stands, without its sign
   bool is_complement = false;           ///< the region is on the outside of the leaf here
 
-  // The leaf of that place that the tag comes from, by itself or by what it inherits: another only
-  // where faces coincide. Glass that ends at something opaque shows a tag that no leaf here has.
+  // The leaf of that place that the tag comes from, by itself or by what it inherits, as stated
+  // (Compound::stated_leaf). Glass that ends at something opaque shows a tag that no leaf here has.
   std::uint32_t worn_leaf = 0;
   Patch worn_patch = 0;
 };

@@ -107,8 +107,8 @@ void Sweep::describe(const Change& change, Transition& found) {
   found.patch = placed->patch;
   found.crossing = placed->crossing;
   // Only leaves of a region's own compound change it, so both stand in one place.
-  found.worn_leaf = shown->leaf;
-  found.worn_patch = shown->patch;
+  found.worn_leaf = order_of(*shown).second;
+  found.worn_patch = found.worn_leaf == shown->leaf ? shown->patch : 0;  // fused: of a half-space
   const SurfaceTag own = leaf_of(*shown).tag;
   found.tag = own == inherited_surface ? scene_.region(found.surface_of).tag : own;
   // Glass that ends at something opaque behind it shows that.

@@ -137,9 +137,18 @@ CombinationLights::Surface& CombinationLights::surface_of(Body& body, const Wear
       throw Error(region.where.location(), "nothing bounds the surface that is to give light here",
                   "intersect the solid with a box that says how far it reaches");
     }
-    pieces.push_back(
-        {body.leaf_numbers[i], geometry::LeafSurface(leaf.solid, box, sides_of(body.tree(), i))});
+    const geometry::SeenSides sides = sides_of(body.tree(), i);
+    const auto add = [&](std::uint32_t stated) {
+      pieces.push_back({body.leaf_numbers[stated],
+                        geometry::LeafSurface(body.leaves()[stated].solid, box, sides)});
+    };
+    // Hits name leaves as they were stated, so what is fused is drawn from piece by piece.
+    const auto parts = body.region.world().parts(i);
+    if (parts.empty()) add(i);
+    for (const std::uint32_t part : parts) add(part);
   }
+  std::sort(pieces.begin(), pieces.end(),
+            [](const auto& a, const auto& b) { return a.leaf < b.leaf; });
   if (!pieces.empty()) {
     surface.leaves = std::make_shared<const geometry::CompoundSurface>(std::move(pieces));
   }

@@ -397,6 +397,38 @@ TEST(CombinationLight, AllWaysToItAgree) {
           .build());
 }
 
+/// Planes about a point of which the sweep makes one polyhedron.
+struct Crystal {
+  explicit Crystal(Vec3d center) {
+    for (const Vec3d d : {Vec3d{1, 0.2, 0.1},
+                          {-1, 0.3, 0},
+                          {0.1, 1, -0.2},
+                          {0, -1, 0.4},
+                          {0.2, 0.1, 1},
+                          {0, 0, -1},
+                          {0.6, 0.7, -0.5}}) {
+      points.push_back(center + 0.45 * normalize(d));
+      normals.push_back(d);
+    }
+  }
+  std::vector<Vec3d> points, normals;
+};
+
+// Hits name half-spaces that are fused as they were stated, and so do draws.
+TEST(CombinationLight, FusedHalfSpaces) {
+  const Crystal crystal({0.1, 0, 1.5});
+  auto cut = solid(HalfSpace{crystal.points[0], crystal.normals[0]});
+  auto met = std::vector{below(crystal.points[0], crystal.normals[0])};
+  for (std::size_t i = 1; i < crystal.points.size(); ++i) {
+    cut = intersect(cut, solid(HalfSpace{crystal.points[i], crystal.normals[i]}));
+    met.push_back(below(crystal.points[i], crystal.normals[i]));
+  }
+  const scene::Scene scene = over_ground({dressed(cut, lamp(L))}).build();
+  ASSERT_EQ(scene.lights().size(), 1u);
+  expect_lit(scene, is_met(common(met)), spots);
+  expect_agreement(scene);
+}
+
 // A patch that a ray meets from its front more than once: only the first is lit.
 TEST(CombinationLight, LeavesMayHideThemselves) {
   const auto ring = solid(geometry::Torus{{0, 0, 1.2}, normalize(Vec3d{0.3, 1, 0.1}), 0.6, 0.35});
