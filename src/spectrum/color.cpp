@@ -8,15 +8,19 @@ namespace lapidary {
 namespace {
 
 /// XYZ per unit of the observer's own scale: 1 W/(m2 sr) at 555 nm has about Y = 1.
-Vec3d observed(const Spectrum& radiance) {
+template <typename Radiance>
+Vec3d observed(const Radiance& radiance_at, const std::vector<double>& knots) {
   const auto integrand = [&](double nm) {
     const auto [x, y, z] = observer_at(nm);
-    return radiance.at(nm) * Vec3d{x, y, z};
+    return radiance_at(nm) * Vec3d{x, y, z};
   };
-  const std::vector<double> knots = radiance.knots();
   Vec3d sum;
   for (std::size_t i = 1; i < knots.size(); ++i) sum += simpson(integrand, knots[i - 1], knots[i]);
   return sum;
+}
+
+Vec3d observed(const Spectrum& radiance) {
+  return observed([&](double nm) { return radiance.at(nm); }, radiance.knots());
 }
 
 Vec3d white() {
@@ -47,6 +51,11 @@ Mat3 make_xyz_from_rgb() {
   return from_columns(r * share.x, g * share.y, b * share.z);
 }
 
+Rgb rgb_from(Vec3d xyz) {
+  const Vec3d rgb = rgb_from_xyz() * xyz;
+  return {static_cast<float>(rgb.x), static_cast<float>(rgb.y), static_cast<float>(rgb.z)};
+}
+
 }  // namespace
 
 Chromaticity d65_white() {
@@ -73,8 +82,13 @@ Vec3d xyz_of(const Spectrum& radiance) {
 }
 
 Rgb rgb_of(const Spectrum& radiance) {
-  const Vec3d rgb = rgb_from_xyz() * xyz_of(radiance);
-  return {static_cast<float>(rgb.x), static_cast<float>(rgb.y), static_cast<float>(rgb.z)};
+  return rgb_from(xyz_of(radiance));
+}
+
+Rgb reflected_daylight(const Spectrum& reflectance) {
+  if (const Rgb* stated = reflectance.as_reflectance()) return *stated;
+  const auto reflected = [&](double nm) { return reflectance.at(nm) * d65_at(nm); };
+  return rgb_from(observed(reflected, reflectance.knots()) / white().y);
 }
 
 float luminance(Rgb c) {

@@ -35,6 +35,9 @@ Vec3d xyz_of(const Spectrum& radiance);
 /// Linear Rec. 709 of a radiance spectrum: what `Wavelengths::to_rgb` has as its mean. Components
 /// are negative when the colour is outside the triangle of the primaries.
 Rgb rgb_of(const Spectrum& radiance);
+/// Linear Rec. 709 of a surface of this reflectance in daylight: a reflectance of 1 shows as
+/// {1, 1, 1} under D65.
+Rgb reflected_daylight(const Spectrum& reflectance);
 
 /// Relative luminance Y: 1 for white.
 float luminance(Rgb c);

@@ -53,6 +53,11 @@ class Spectrum {
     return tabulated_at(wavelengths);
   }
   double at(double nm) const;
+  /// The colour it was stated with, of what `reflectance` made; null for others.
+  const Rgb* as_reflectance() const {
+    const auto* reflectance = std::get_if<Reflectance>(&form_);
+    return reflectance != nullptr ? &reflectance->rgb : nullptr;
+  }
   Spectrum scaled(float factor) const;
   /// Integral over 360-830 nm.
   double integral() const;

@@ -88,5 +88,19 @@ TEST(Color, LuminousEfficacyIsThePublishedOne) {
   EXPECT_NEAR(luminous_efficacy(d65), 184.4, 0.1);
 }
 
+TEST(Color, ReflectedDaylightIsTheColorThatPathsSee) {
+  constexpr Rgb brown{0.3f, 0.15f, 0.08f};
+  expect_near(reflected_daylight(Spectrum::reflectance(brown)), brown, 0.0f);
+  expect_near(reflected_daylight(Spectrum::constant(0.4f)), {0.4f, 0.4f, 0.4f}, 1e-6f);
+  const Spectrum steep = Spectrum::table({480, 60, {0.1f, 0.8f, 0.3f}});
+  constexpr int strata = 4096;
+  Rgb mean;
+  for (int i = 0; i < strata; ++i) {
+    const Wavelengths w = Wavelengths::sample((i + 0.5) / strata);
+    mean += w.to_rgb(steep.at(w) * w.d65()) * (1.0f / strata);
+  }
+  expect_near(reflected_daylight(steep), mean, 1e-5f);
+}
+
 }  // namespace
 }  // namespace lapidary

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <variant>
+
+#include "texture/lookup.h"
+#include "texture/palette.h"
+
+namespace lapidary::texture {
+
+struct Texture;
+using TexturePtr = std::shared_ptr<const Texture>;
+
+/// A number of a material: the same everywhere, or from a texture.
+class Number {
+ public:
+  Number(double value = 0) : value_(value) {}                 // NOLINT: a number is one
+  Number(TexturePtr texture) : value_(std::move(texture)) {}  // NOLINT
+
+  /// The value that is the same everywhere; null when it is a texture's.
+  const double* constant() const { return std::get_if<double>(&value_); }
+  double at(const Lookup& lookup) const {
+    const double* same = constant();
+    return same != nullptr ? *same : evaluate(lookup);
+  }
+  bool operator==(const Number&) const = default;  ///< textures: the very same one
+
+ private:
+  double evaluate(const Lookup& lookup) const;
+
+  std::variant<double, TexturePtr> value_;
+};
+
+/// A colour of a material: the same everywhere, or from a texture. No unit: a share of light that
+/// is reflected or let through, or a factor of what is emitted.
+class Color {
+ public:
+  Color(Constant value) : value_(std::move(value)) {}            // NOLINT
+  Color(Spectrum value) : value_(Constant(std::move(value))) {}  // NOLINT
+  Color(TexturePtr texture) : value_(std::move(texture)) {}      // NOLINT
+
+  const Constant* constant() const { return std::get_if<Constant>(&value_); }
+  SampledSpectrum at(const Lookup& lookup, const Wavelengths& wavelengths) const {
+    return in(SpectralPalette{wavelengths}, lookup);
+  }
+  Rgb rgb_at(const Lookup& lookup) const { return in(RgbPalette{}, lookup); }
+  /// The same for those who do not know which: see palette.h.
+  template <typename Palette>
+  typename Palette::Value in(const Palette& palette, const Lookup& lookup) const {
+    const Constant* same = constant();
+    return same != nullptr ? palette.of(*same) : evaluate(palette, lookup);
+  }
+  bool operator==(const Color&) const = default;  ///< textures: the very same one
+
+ private:
+  SampledSpectrum evaluate(const SpectralPalette& palette, const Lookup& lookup) const;
+  Rgb evaluate(const RgbPalette& palette, const Lookup& lookup) const;
+
+  std::variant<Constant, TexturePtr> value_;
+};
+
+}  // namespace lapidary::texture

@@ -1,0 +1,55 @@
+#include "texture/texture.h"
+
+namespace lapidary::texture {
+namespace {
+
+template <typename Kind>
+concept OfNumbers = requires(const Kind& kind, const Lookup& lookup) {
+  { value(kind, lookup) } -> std::same_as<double>;
+};
+
+}  // namespace
+
+double evaluate(const Texture& texture, const Lookup& lookup) {
+  return std::visit(
+      [&](const auto& kind) -> double {
+        if constexpr (OfNumbers<std::remove_cvref_t<decltype(kind)>>) {
+          return value(kind, lookup);
+        } else {
+          return static_cast<double>(luminance(color(kind, RgbPalette{}, lookup)));
+        }
+      },
+      texture.kind);
+}
+
+template <typename Palette>
+typename Palette::Value evaluate(const Texture& texture, const Palette& palette,
+                                 const Lookup& lookup) {
+  return std::visit(
+      [&](const auto& kind) -> typename Palette::Value {
+        if constexpr (OfNumbers<std::remove_cvref_t<decltype(kind)>>) {
+          const auto grey = static_cast<float>(value(kind, lookup));
+          return palette.of(Rgb{grey, grey, grey});
+        } else {
+          return color(kind, palette, lookup);
+        }
+      },
+      texture.kind);
+}
+
+template SampledSpectrum evaluate(const Texture&, const SpectralPalette&, const Lookup&);
+template Rgb evaluate(const Texture&, const RgbPalette&, const Lookup&);
+
+double Number::evaluate(const Lookup& lookup) const {
+  return texture::evaluate(*std::get<TexturePtr>(value_), lookup);
+}
+
+SampledSpectrum Color::evaluate(const SpectralPalette& palette, const Lookup& lookup) const {
+  return texture::evaluate(*std::get<TexturePtr>(value_), palette, lookup);
+}
+
+Rgb Color::evaluate(const RgbPalette& palette, const Lookup& lookup) const {
+  return texture::evaluate(*std::get<TexturePtr>(value_), palette, lookup);
+}
+
+}  // namespace lapidary::texture
