@@ -28,13 +28,16 @@ struct LightReader {
 };
 
 /// `Reader` for what may be left out.
-template <typename ColorReader>
+template <typename Reader>
 struct Optional {
-  static std::string type() { return ColorReader::type(); }
-  static std::optional<Spectrum> read(const schema::Value& value, const schema::Context& context) {
-    return ColorReader::read(value, context);
+  using Value = decltype(Reader::read(std::declval<const schema::Value&>(),
+                                      std::declval<const schema::Context&>()));
+
+  static std::string type() { return Reader::type(); }
+  static std::optional<Value> read(const schema::Value& value, const schema::Context& context) {
+    return Reader::read(value, context);
   }
-  static std::string text(const std::optional<Spectrum>&) { return ""; }
+  static std::string text(const std::optional<Value>&) { return ""; }
 };
 
 }  // namespace lapidary::description

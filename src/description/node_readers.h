@@ -10,6 +10,7 @@
 #include "description/light.h"
 #include "description/object.h"
 #include "schema/reader.h"
+#include "texture/texture.h"
 
 namespace lapidary::schema {
 
@@ -42,6 +43,13 @@ struct NodeWord<description::Camera> {
   static constexpr std::string_view wanted = "a camera";
   static constexpr std::string_view hint =
       "cameras are perspective and orthographic, as in perspective { from = { 4, -7, 4 } }";
+};
+template <>
+struct NodeWord<texture::Texture> {
+  static constexpr std::string_view type = "texture";
+  static constexpr std::string_view wanted = "a texture";
+  static constexpr std::string_view hint =
+      "textures are made as in checker { \"white\", \"black\" }";
 };
 template <>
 struct NodeWord<Spectrum> {
