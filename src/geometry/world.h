@@ -52,6 +52,7 @@ class World {
 
   /// The surface of a hit that `nearest(ray)` returned.
   Surface surface(const Ray& ray, const Hit& hit) const;
+  /// Of a solid: those of the leaf whose surface shows.
   SurfaceUv surface_uv(const Hit& hit, const Surface& surface) const;
 
   /// A ray that leaves `surface` towards `direction`, on whichever side that is, and does not meet
