@@ -27,9 +27,11 @@ struct MeshLightParameters {
   ObjectPtr shape;
 };
 
-constexpr auto surface_strengths = {Quantity::power, Quantity::radiance};
-constexpr auto point_strengths = {Quantity::power, Quantity::intensity};
-constexpr auto distant_strengths = {Quantity::irradiance};
+constexpr auto surface_strengths = {Strength::power, Strength::radiance, Strength::lumens,
+                                    Strength::nits};
+constexpr auto point_strengths = {Strength::power, Strength::intensity, Strength::lumens,
+                                  Strength::candela};
+constexpr auto distant_strengths = {Strength::irradiance, Strength::lux};
 
 template <typename T>
 Declaration<LightOf<T>>& declare_surface_light(Declaration<LightOf<T>>& d) {
@@ -64,7 +66,8 @@ NodeKind sphere_light() {
       {.name = "sphere_light",
        .doc = "A glowing ball.",
        .section = section,
-       .examples = {"sphere_light { center = { 0, 0, 4 }, radius = 0.5, power = 300 }"}});
+       .examples = {"sphere_light { center = { 0, 0, 4 }, radius = 0.5, power = 300 }",
+                    "sphere_light { radius = 0.03, lumens = 806, temperature = 2700 }"}});
   d.parameter("center", &Sphere::center, {.doc = "Its centre.", .unit = Unit::length})
       .parameter("radius", &Sphere::radius,
                  {.doc = "Distance from the centre to the surface.",
