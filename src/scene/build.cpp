@@ -222,6 +222,9 @@ Scene build(const description::SceneDescription& description, const BuildOptions
     options.warnings.add(description.where.location(),
                          "the scene has no light, so the picture will be black");
   }
+  parts.light_choice = options.light_choice == description::LightChoice::power
+                           ? light::ChoiceRule::power
+                           : light::ChoiceRule::influence;
   parts.world = geometry::World(builder.take_world(), options.pool);
   return Scene(std::move(parts));
 }

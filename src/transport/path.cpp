@@ -74,7 +74,7 @@ class Path {
  private:
   /// What the last scattering event was, as far as MIS needs it.
   struct Origin {
-    Vec3d p;
+    light::LitPoint lit;
     double pdf = 0;  ///< of the direction taken, per solid angle
     Lobe lobe = Lobe::specular;
   };
@@ -119,8 +119,8 @@ SampledSpectrum Path::light_met(std::uint32_t index, const light::LightHit& hit)
   const light::Light& light = scene_.lights()[index];
   const SampledSpectrum Le = light::emitted(light, ray_.direction, hit, context_.wavelengths);
   if (origin_.lobe == Lobe::specular || Le.is_zero()) return Le;
-  const double pdf_light = scene_.light_selector()->probability(origin_.p, index) *
-                           light::pdf_illumination(light, origin_.p, ray_.direction, hit);
+  const double pdf_light = scene_.light_selector()->probability(origin_.lit, index) *
+                           light::pdf_illumination(light, origin_.lit.p, ray_.direction, hit);
   return Le * static_cast<float>(power_heuristic(origin_.pdf, pdf_light));
 }
 
@@ -153,7 +153,7 @@ bool Path::finds(std::uint32_t index, const geometry::LeafPatch& aim, Ray ray) {
 SampledSpectrum Path::direct_light(const Vertex& vertex, const MediaPair& media,
                                    const VertexPoints& points) {
   if (scene_.light_selector() == nullptr) return {};
-  const auto choice = scene_.light_selector()->choose(vertex.surface.p, points.light_choice());
+  const auto choice = scene_.light_selector()->choose(vertex.lit, points.light_choice());
   if (choice.probability == 0.0) return {};
   const light::LightNumbers numbers{choice.remainder, points.light_position()};
   const light::Light& light = scene_.lights()[choice.index];
@@ -217,7 +217,7 @@ bool Path::scatter(const Vertex& vertex, const VertexPoints& points) {
   beta_ *= sample->weight;
   if (sample->carried == Carried::hero) carried_ = Carried::hero;
   index_squared_ *= sample->relative_index * sample->relative_index;
-  origin_ = {vertex.surface.p, sample->pdf, sample->lobe};
+  origin_ = {vertex.lit, sample->pdf, sample->lobe};
   if ((sample->wi.z > 0.0) != (vertex.wo.z > 0.0)) cross(vertex.surface, direction);
   const double time = ray_.time;
   ray_ = geometry::World::leave(vertex.surface, direction);
