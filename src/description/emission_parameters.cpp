@@ -112,24 +112,22 @@ double efficacy(const Spectrum& shape, const StrengthRow& row, const Context& co
   return lumens_per_watt;
 }
 
-/// The one strength that is given.
-const StrengthRow& the_strength(const EmissionParameters& e,
+/// The one strength that is given; null for none.
+const StrengthRow* the_strength(const EmissionParameters& e,
                                 std::initializer_list<Strength> allowed, const Context& context) {
-  std::vector<std::string> names, said;
+  std::vector<std::string> said;
   const StrengthRow* chosen = nullptr;
   for (const Strength strength : allowed) {
     const StrengthRow& row = row_of(strength);
-    names.push_back(quoted(row));
     if (!given(e, row)) continue;
     said.push_back(quoted(row));
     chosen = &row;
   }
-  if (said.empty()) context.fail("needs " + choice_of(names));
   if (said.size() > 1) {
     context.fail(fmt::format("takes either {}, not {}", choice_of(said),
                              said.size() == 2 ? "both" : "several of them"));
   }
-  return *chosen;
+  return chosen;
 }
 
 }  // namespace
@@ -148,18 +146,34 @@ std::string strength_doc(Strength strength, std::initializer_list<Strength> allo
   return fmt::format("{}; {} must be given.", text, choice_of(choice));
 }
 
-Emission to_emission(const EmissionParameters& e, std::initializer_list<Strength> allowed,
-                     const Context& context) {
-  const StrengthRow& row = the_strength(e, allowed, context);
-  if (row.info.number == nullptr) {
-    if (!e.color && !e.temperature) return {row.quantity, *e.radiance};
+std::optional<Emission> to_stated_emission(const EmissionParameters& e,
+                                           std::initializer_list<Strength> allowed,
+                                           const Context& context) {
+  const StrengthRow* row = the_strength(e, allowed, context);
+  if (row == nullptr) return std::nullopt;
+  if (row->info.number == nullptr) {
+    if (!e.color && !e.temperature) return Emission{row->quantity, *e.radiance};
     const double total = e.radiance->integral();
-    return {row.quantity, shape(e, context).scaled(static_cast<float>(total))};
+    return Emission{row->quantity, shape(e, context).scaled(static_cast<float>(total))};
   }
   const Spectrum unit = shape(e, context);
-  double watts = *(e.*row.info.number);
-  if (row.weighed == Weighed::by_the_eye) watts /= efficacy(unit, row, context);
-  return {row.quantity, unit.scaled(static_cast<float>(watts))};
+  double watts = *(e.*row->info.number);
+  if (row->weighed == Weighed::by_the_eye) watts /= efficacy(unit, *row, context);
+  return Emission{row->quantity, unit.scaled(static_cast<float>(watts))};
+}
+
+Emission to_emission(const EmissionParameters& e, std::initializer_list<Strength> allowed,
+                     const Context& context) {
+  if (const auto emission = to_stated_emission(e, allowed, context)) return *emission;
+  std::vector<std::string> names;
+  for (const Strength strength : allowed) names.push_back(quoted(row_of(strength)));
+  context.fail("needs " + choice_of(names));
+}
+
+Spectrum one_candela(const EmissionParameters& e, const Context& context) {
+  const Spectrum unit = shape(e, context);
+  const double watts = 1.0 / efficacy(unit, row_of(Strength::candela), context);
+  return unit.scaled(static_cast<float>(watts));
 }
 
 }  // namespace lapidary::description

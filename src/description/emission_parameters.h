@@ -29,6 +29,14 @@ struct EmissionParameters {
 Emission to_emission(const EmissionParameters& e, std::initializer_list<Strength> allowed,
                      const schema::Context& context);
 
+/// The same where the strength may be left out, too: nothing then.
+std::optional<Emission> to_stated_emission(const EmissionParameters& e,
+                                           std::initializer_list<Strength> allowed,
+                                           const schema::Context& context);
+
+/// The intensity [W/(sr nm)] that is one candela of the colour said; fails as `to_emission`.
+Spectrum one_candela(const EmissionParameters& e, const schema::Context& context);
+
 /// What is to be known of a strength that is a number.
 struct StrengthInfo {
   std::string_view name;

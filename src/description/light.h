@@ -18,6 +18,16 @@ struct PointLight {
   Emission emission{Quantity::power};  ///< power or intensity
 };
 
+/// Light from one place as a luminaire was measured to give it.
+struct ProfileLight {
+  std::filesystem::path file;  ///< by ANSI/IES LM-63
+  Vec3d position;
+  Vec3d axis{0, 0, -1};  ///< of the file's vertical angle 0; not zero
+  Vec3d up{0, 1, 0};     ///< towards its horizontal angle 0; not along the axis
+  /// The power of all of it, or the intensity where the file says one candela.
+  Emission emission{Quantity::intensity};
+};
+
 /// Light from one place within a cone.
 struct SpotLight {
   Vec3d from{0, 0, 1};
@@ -49,7 +59,9 @@ struct ImageEnvironment {
 };
 
 struct Light {
-  std::variant<PointLight, SpotLight, DistantLight, ConstantEnvironment, ImageEnvironment> model;
+  std::variant<PointLight, ProfileLight, SpotLight, DistantLight, ConstantEnvironment,
+               ImageEnvironment>
+      model;
   schema::CallSite where;
 };
 

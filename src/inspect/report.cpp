@@ -30,6 +30,7 @@ class Closures {
 /// As scenes call them.
 struct KindOfLight {
   std::string operator()(const description::PointLight&) const { return "point_light"; }
+  std::string operator()(const description::ProfileLight&) const { return "point_light"; }
   std::string operator()(const description::SpotLight&) const { return "spot_light"; }
   std::string operator()(const description::DistantLight&) const { return "distant_light"; }
   std::string operator()(const description::ConstantEnvironment&) const { return "environment"; }

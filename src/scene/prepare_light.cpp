@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "image/image_io.h"
+#include "light/ies_file.h"
 
 namespace lapidary::scene {
 namespace {
@@ -19,6 +20,13 @@ light::Light prepare(const description::PointLight& p, double metres) {
   const double square = metres * metres;
   const double to_intensity = p.emission.quantity == Quantity::power ? 4.0 * pi : 1.0;
   return light::PointLight{p.position, divided(p.emission.spectrum, to_intensity * square)};
+}
+
+light::Light prepare(const description::ProfileLight& p, double metres) {
+  auto profile = std::make_shared<const light::PhotometricWeb>(light::read_ies(p.file));
+  const double to_candela = p.emission.quantity == Quantity::power ? profile->flux() : 1.0;
+  return light::ProfileLight({p.position, p.axis, p.up}, std::move(profile),
+                             divided(p.emission.spectrum, to_candela * metres * metres));
 }
 
 light::Light prepare(const description::SpotLight& s, double metres) {

@@ -172,6 +172,15 @@ TEST_F(LightTest, SpotAndSunCheckTheirDirections) {
               HasSubstr("greater than 0 and at most 180"));
 }
 
+TEST_F(LightTest, ProfilesAreAimedAndOthersAreNot) {
+  EXPECT_THAT(make_.error_of("point_light", "{at = {0, 0, 0}, power = 1}"),
+              HasSubstr("at of point_light aims a profile, and there is none"));
+  EXPECT_THAT(make_.error_of("point_light", "{up = {0, 0, 1}, power = 1}"),
+              HasSubstr("up of point_light aims a profile"));
+  EXPECT_THAT(make_.error_of("point_light", "{profile = 'lamp.ies'}"),
+              HasSubstr("no file can be read here"));
+}
+
 TEST_F(LightTest, EnvironmentIsAColorOrAFile) {
   const auto sky = make_.model<ConstantEnvironment, Light>("environment", "{color = 2, scale = 3}");
   EXPECT_NEAR(sky.radiance.integral(), 6, 1e-4);
