@@ -58,9 +58,19 @@ struct ImageEnvironment {
   double rotate = 0;  ///< degrees about z, counter-clockwise from above
 };
 
+/// The sky of a clear day with its sun.
+struct Sky {
+  enum class Sun { shines, left_out };
+  Vec3d to_sun{0, 0, 1};   ///< of any length but zero; at most 10 degrees below the horizon
+  double turbidity = 2.5;  ///< 1 to 10
+  double ground_albedo = 0.2;
+  Sun sun = Sun::shines;
+  double scale = 1;  ///< multiplies all light
+};
+
 struct Light {
   std::variant<PointLight, ProfileLight, SpotLight, DistantLight, ConstantEnvironment,
-               ImageEnvironment>
+               ImageEnvironment, Sky>
       model;
   schema::CallSite where;
 };

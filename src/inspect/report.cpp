@@ -35,6 +35,7 @@ struct KindOfLight {
   std::string operator()(const description::DistantLight&) const { return "distant_light"; }
   std::string operator()(const description::ConstantEnvironment&) const { return "environment"; }
   std::string operator()(const description::ImageEnvironment&) const { return "environment"; }
+  std::string operator()(const description::Sky&) const { return "sky"; }
 };
 
 ObjectReport report_on(const description::Leaf& leaf, Closures& closures) {

@@ -216,7 +216,9 @@ Scene build(const description::SceneDescription& description, const BuildOptions
     ++index;
   });
   for (const description::Light& light : description.lights) {
-    parts.lights.push_back(prepare_light(light, description.metres_per_unit));
+    for (light::Light& part : prepare_lights(light, description.metres_per_unit)) {
+      parts.lights.push_back(std::move(part));
+    }
   }
   if (parts.lights.empty()) {
     options.warnings.add(description.where.location(),

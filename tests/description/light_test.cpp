@@ -181,6 +181,27 @@ TEST_F(LightTest, ProfilesAreAimedAndOthersAreNot) {
               HasSubstr("no file can be read here"));
 }
 
+TEST_F(LightTest, SkiesKnowWhereTheirSunIs) {
+  const auto to_sun = [this](const char* literal) {
+    const Vec3d d = make_.model<Sky, Light>("sky", literal).to_sun;
+    return std::vector<double>{d.x, d.y, d.z};
+  };
+  const auto near = [](double x, double y, double z) {
+    return testing::ElementsAre(testing::DoubleNear(x, 1e-12), testing::DoubleNear(y, 1e-12),
+                                testing::DoubleNear(z, 1e-12));
+  };
+  const double half = std::sqrt(0.5);
+  EXPECT_THAT(to_sun("{}"), near(0, half, half));
+  EXPECT_THAT(to_sun("{elevation = 0, azimuth = 90}"), near(1, 0, 0));
+  EXPECT_THAT(to_sun("{sun_direction = {1, 2, 3}}"), near(1, 2, 3));
+  EXPECT_THAT(make_.error_of("sky", "{elevation = -20}"), HasSubstr("must be from -10 to 90"));
+  EXPECT_THAT(make_.error_of("sky", "{sun_direction = {1, 0, -1}}"),
+              HasSubstr("more than 10 degrees below the horizon"));
+  EXPECT_THAT(make_.error_of("sky", "{sun_direction = {0, 0, 0}}"), HasSubstr("must not be zero"));
+  EXPECT_THAT(make_.error_of("sky", "{sun_direction = {0, 0, 1}, elevation = 3}"),
+              HasSubstr("either 'sun_direction' or 'elevation'"));
+}
+
 TEST_F(LightTest, EnvironmentIsAColorOrAFile) {
   const auto sky = make_.model<ConstantEnvironment, Light>("environment", "{color = 2, scale = 3}");
   EXPECT_NEAR(sky.radiance.integral(), 6, 1e-4);
