@@ -45,9 +45,11 @@ Vertex make_vertex(const Meeting& m, const Wavelengths& wavelengths, Carried car
   const Frame frame = Frame::from_normal(normal);
   const Sides sides{faces_ray ? m.before : m.after, faces_ray ? m.after : m.before};
   const bsdf::Place place{m.lookup, wavelengths};
+  const light::LitPoint lit{m.surface.p, transparent ? Vec3d() : normal};
   return {m.surface, frame, frame.to_local(wo),
           std::visit([&](const auto& kind) { return bsdf_at(kind, sides, place, carried); },
-                     m.material.material)};
+                     m.material.material),
+          lit};
 }
 
 }  // namespace lapidary::transport
