@@ -98,15 +98,20 @@ constexpr bool has_plane =
 }  // namespace
 
 std::optional<Ray> generate_ray(const Camera& camera, const CameraSample& sample) {
-  return std::visit([&](const auto& model) { return generate(model, camera.pose, sample); },
-                    camera.model);
+  const double time = camera.shutter.min + sample.time * camera.shutter.length();
+  const Pose pose = camera.pose_at(time);
+  auto ray =
+      std::visit([&](const auto& model) { return generate(model, pose, sample); }, camera.model);
+  if (ray) ray->time = time;
+  return ray;
 }
 
-double depth(const Camera& camera, Vec3d p) {
-  const Vec3d back = camera.pose.position - p;
+double depth(const Camera& camera, Vec3d p, double time) {
+  const Pose pose = camera.pose_at(time);
+  const Vec3d back = pose.position - p;
   return std::visit(
       [&]<typename Model>(const Model&) {
-        return has_plane<Model> ? dot(back, camera.pose.frame.normal) : length(back);
+        return has_plane<Model> ? dot(back, pose.frame.normal) : length(back);
       },
       camera.model);
 }

@@ -71,22 +71,27 @@ struct Fisheye {
 
 struct Camera {
   std::variant<Perspective, Orthographic, Panorama, Fisheye> model;
-  Pose pose;
+  Pose pose;                         ///< at time 0, when the frame begins
+  std::optional<PoseMotion> motion;  ///< from there to time 1; none: it stands still
+  Interval shutter{0, 1};            ///< when light is taken, within [0, 1]
+
+  Pose pose_at(double time) const { return motion ? motion->at(time) : pose; }
 };
 
 /// The numbers of a ray.
 struct CameraSample {
-  Vec2d film;  ///< from (0, 0) at the top left corner of the picture to (1, 1)
-  Vec2d lens;  ///< in [0, 1)^2, for a point of the aperture
+  Vec2d film;       ///< from (0, 0) at the top left corner of the picture to (1, 1)
+  Vec2d lens;       ///< in [0, 1)^2, for a point of the aperture
+  double time = 0;  ///< in [0, 1), from the opening of the shutter to its closing
 };
 
-/// The ray that sees a point of the film; nothing where the camera shows nothing. The direction has
-/// unit length.
+/// The ray that sees a point of the film, and when (Ray::time); nothing where the camera shows
+/// nothing. The direction has unit length.
 std::optional<geometry::Ray> generate_ray(const Camera& camera, const CameraSample& sample);
 
-/// The depth layer's value for a point that the camera sees: how far it lies from the camera's
-/// plane along the view, or, of a panorama and a fisheye, which have no such plane, from the
-/// camera.
-double depth(const Camera& camera, Vec3d p);
+/// The depth layer's value for a point that the camera sees at that time: how far it lies from the
+/// camera's plane along the view, or, of a panorama and a fisheye, which have no such plane, from
+/// the camera.
+double depth(const Camera& camera, Vec3d p, double time);
 
 }  // namespace lapidary::camera

@@ -15,6 +15,12 @@ struct View {
   Vec3d up{0, 0, 1};
 };
 
+/// Which part of a frame, that lasts from 0 to 1, the picture is taken in: open <= close.
+struct Shutter {
+  double open = 0;
+  double close = 1;
+};
+
 /// Which side of the picture an opening spans.
 enum class FovAxis { shorter, x, y };
 
@@ -60,6 +66,10 @@ struct Fisheye {
 struct Camera {
   std::variant<Perspective, Orthographic, Panorama, Fisheye> model;
   schema::CallSite where;
+  Shutter shutter = {};
+  /// When the frame ends, if it moves: the position goes there straight, the view turns there
+  /// evenly. What is sharp stays as far away as it was.
+  std::optional<View> view_at_end = {};
 };
 
 }  // namespace lapidary::description

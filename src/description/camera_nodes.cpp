@@ -132,6 +132,7 @@ NodeKind perspective() {
            "perspective { from = { 4, -7, 4 }, at = { 0, 0, 1 }, fov = 30 }",
            "perspective { from = { 0, -9, 2 }, aperture = 0.4, blades = 6, blade_rotation = 15 }",
            "perspective { from = { 0, -9, 1 }, at = { 0, 0, 1 }, shift = { y = 0.3 } }",
+           "perspective { from = { 0, -9, 2 }, motion = { from = { 1, -9, 2 } }, shutter = 0.5 }",
            "perspective { from = { 0, -9, 6 }, aperture = 0.8, tilt = { x = 50 } }"}});
   declare_camera(d)
       .parameter("fov", &P::fov,
@@ -142,7 +143,7 @@ NodeKind perspective() {
   declare_aperture(d);
   declare_movements(d);
   return node_kind(std::move(d), [](P&& p, const Context& context) {
-    check_view(p, context);
+    check_views(p, context);
     check_blades(p.blades, context);
     p.focus_distance = focus_distance(p, context);
     return camera_node<Perspective>(std::move(p), context);
@@ -164,7 +165,7 @@ NodeKind orthographic() {
                   .range = schema::positive})
       .parameter("fov_axis", &O::fov_axis, {.doc = "Which side of the picture 'size' spans."});
   return node_kind(std::move(d), [](O&& o, const Context& context) {
-    check_view(o, context);
+    check_views(o, context);
     return camera_node<Orthographic>(std::move(o), context);
   });
 }

@@ -59,7 +59,7 @@ NodeKind panorama() {
                                .unit = Unit::degrees,
                                .range = {.min = -90, .max = 90}});
   return node_kind(std::move(d), [](P&& p, const Context& context) {
-    check_view(p, context);
+    check_views(p, context);
     const double width = p.longitude.y - p.longitude.x;
     if (width > 360.0) {
       context.at("longitude").fail(fmt::format("must span at most 360 degrees, not {}", width));
@@ -102,7 +102,7 @@ NodeKind fisheye() {
           {.doc = "What the distance from the middle grows with: the angle; its sine of half "
                   "(equal areas stay equal), tangent of half (shapes stay), or sine."});
   return node_kind(std::move(d), [](F&& f, const Context& context) {
-    check_view(f, context);
+    check_views(f, context);
     check_fov(f, context);
     return camera_node<Fisheye>(std::move(f), context);
   });

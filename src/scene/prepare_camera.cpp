@@ -8,6 +8,7 @@ namespace {
 using camera::FisheyeMapping;
 using description::FovAxis;
 using description::PictureSize;
+using Model = decltype(camera::Camera::model);
 
 /// Half the picture's width and height where half the side that `axis` names is `half`.
 Vec2d half_extent(double half, FovAxis axis, const PictureSize& size) {
@@ -20,7 +21,7 @@ Interval in_radians(Vec2d range) {
   return {radians(range.x), radians(range.y)};
 }
 
-camera::Camera prepare(const description::Perspective& p, const PictureSize& size) {
+Model prepare(const description::Perspective& p, const PictureSize& size) {
   const Vec2d half = half_extent(std::tan(radians(0.5 * p.fov)), p.fov_axis, size);
   camera::Perspective c;
   c.half_width = half.x;
@@ -29,18 +30,16 @@ camera::Camera prepare(const description::Perspective& p, const PictureSize& siz
   c.aperture = {0.5 * p.aperture, p.blades, radians(p.blade_rotation), p.anamorphic};
   c.focus.distance = p.focus_distance.value_or(length(p.view.at - p.view.from));
   c.focus.slope = {std::tan(radians(p.tilt.y)), std::tan(radians(p.tilt.x))};
-  return {c, {p.view.from, camera::look_at(p.view.from, p.view.at, p.view.up)}};
+  return c;
 }
 
-camera::Camera prepare(const description::Orthographic& o, const PictureSize& size) {
+Model prepare(const description::Orthographic& o, const PictureSize& size) {
   const Vec2d half = half_extent(0.5 * o.size, o.fov_axis, size);
-  return {camera::Orthographic{half.x, half.y},
-          {o.view.from, camera::look_at(o.view.from, o.view.at, o.view.up)}};
+  return camera::Orthographic{half.x, half.y};
 }
 
-camera::Camera prepare(const description::Panorama& p, const PictureSize&) {
-  return {camera::Panorama{in_radians(p.longitude), in_radians(p.latitude)},
-          {p.view.from, camera::turn_to(p.view.from, p.view.at, p.view.up)}};
+Model prepare(const description::Panorama& p, const PictureSize&) {
+  return camera::Panorama{in_radians(p.longitude), in_radians(p.latitude)};
 }
 
 FisheyeMapping mapping_of(description::FisheyeMapping mapping) {
@@ -57,16 +56,31 @@ FisheyeMapping mapping_of(description::FisheyeMapping mapping) {
   return FisheyeMapping::equidistant;
 }
 
-camera::Camera prepare(const description::Fisheye& f, const PictureSize& size) {
+Model prepare(const description::Fisheye& f, const PictureSize& size) {
   const Vec2d half = half_extent(1.0, f.fov_axis, size);
-  return {camera::Fisheye{mapping_of(f.mapping), radians(0.5 * f.fov), half.x, half.y},
-          {f.view.from, camera::look_at(f.view.from, f.view.at, f.view.up)}};
+  return camera::Fisheye{mapping_of(f.mapping), radians(0.5 * f.fov), half.x, half.y};
+}
+
+template <typename DescribedModel>
+camera::Pose pose_of(const DescribedModel&, const description::View& view) {
+  constexpr bool leans = !std::is_same_v<DescribedModel, description::Panorama>;
+  const auto frame = leans ? camera::look_at : camera::turn_to;
+  return {view.from, frame(view.from, view.at, view.up)};
 }
 
 }  // namespace
 
 camera::Camera prepare_camera(const description::Camera& camera, const PictureSize& size) {
-  return std::visit([&](const auto& model) { return prepare(model, size); }, camera.model);
+  return std::visit(
+      [&](const auto& model) {
+        camera::Camera prepared{prepare(model, size), pose_of(model, model.view)};
+        if (camera.view_at_end) {
+          prepared.motion.emplace(prepared.pose, pose_of(model, *camera.view_at_end));
+        }
+        prepared.shutter = {camera.shutter.open, camera.shutter.close};
+        return prepared;
+      },
+      camera.model);
 }
 
 }  // namespace lapidary::scene

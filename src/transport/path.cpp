@@ -253,7 +253,7 @@ SampledSpectrum Path::trace(const Ray& camera_ray, FirstSurface& first) {
     if (depth_ == 0) {
       const bool from_behind = dot(surface.shading_normal, ray_.direction) > 0.0;
       first = {material.albedo, from_behind ? -surface.shading_normal : surface.shading_normal,
-               camera::depth(scene_.camera(), surface.p), scene_.object_index(hit) + 1};
+               camera::depth(scene_.camera(), surface.p, ray_.time), scene_.object_index(hit) + 1};
     }
     if (slot.light != scene::Slot::no_light) {
       L_ += beta_ *

@@ -80,8 +80,43 @@ TEST(Depth, IsTheDistanceAlongTheViewOrFromWhatSeesAround) {
     const Vec3d aside = random.direction();
     const Frame& f = pose.frame;
     const Vec3d p = pose.position - f.normal * t + f.tangent * aside.x + f.bitangent;
-    for (const Camera& c : flat) EXPECT_NEAR(depth(c, p), t, 1e-13);
-    for (const Camera& c : round) EXPECT_NEAR(depth(c, p), std::hypot(t, aside.x, 1.0), 1e-13);
+    for (const Camera& c : flat) EXPECT_NEAR(depth(c, p, 0.3), t, 1e-13);
+    for (const Camera& c : round) EXPECT_NEAR(depth(c, p, 0.3), std::hypot(t, aside.x, 1.0), 1e-13);
+  }
+}
+
+// Half way through a turn by 90 degrees the frame has turned by 45, and is one still.
+TEST(Motion, GoesStraightAndTurnsEvenly) {
+  const Pose begin = some_pose();
+  const Vec3d axis = normalize(Vec3d{1, -2, 0.5});
+  const auto turned = [&](double angle) {
+    const Transform r = Transform::rotation(axis, angle);
+    return Frame{r.vector(begin.frame.tangent), r.vector(begin.frame.bitangent),
+                 r.vector(begin.frame.normal)};
+  };
+  const PoseMotion motion(begin, {{4, 0, 2}, turned(2.5)});
+  for (const double time : {0.0, 0.25, 0.5, 0.9, 1.0}) {
+    const Pose pose = motion.at(time);
+    expect_near(pose.position, begin.position + Vec3d{3, 3, 0} * time);
+    const Frame f = turned(2.5 * time);
+    expect_near(pose.frame.tangent, f.tangent);
+    expect_near(pose.frame.bitangent, f.bitangent);
+    expect_near(pose.frame.normal, f.normal);
+    expect_near(cross(pose.frame.tangent, pose.frame.bitangent), pose.frame.normal);
+  }
+}
+
+TEST(Motion, IsSeenWhileTheShutterIsOpen) {
+  Camera c{some_lens(), some_pose()};
+  const Pose end{c.pose.position + Vec3d{8, 0, 0}, c.pose.frame};
+  c.motion.emplace(c.pose, end);
+  c.shutter = {0.25, 0.75};
+  for (const double share : {0.0, 0.5, 0.875}) {
+    const auto ray = generate_ray(c, {{0.5, 0.5}, {}, share});
+    const double time = 0.25 + 0.5 * share;
+    EXPECT_EQ(ray->time, time);
+    expect_near(ray->origin, c.pose.position + Vec3d{8 * time, 0, 0});
+    EXPECT_NEAR(depth(c, ray->origin + ray->direction * 3.0, time), 3.0, 1e-14);
   }
 }
 

@@ -298,6 +298,32 @@ TEST_F(NodeTest, CamerasThatSeeAroundCheckHowFar) {
   EXPECT_THAT(make_.error_of("fisheye", "{mapping = 'equidistand'}"), HasSubstr("equidistant"));
 }
 
+TEST_F(NodeTest, CamerasMoveWhileTheShutterIsOpen) {
+  const auto still = make_.make<Camera>("fisheye", "{}");
+  EXPECT_FALSE(still->view_at_end);
+  EXPECT_EQ(still->shutter.open, 0);
+  EXPECT_EQ(still->shutter.close, 1);
+  const auto moving =
+      make_.make<Camera>("perspective",
+                         "{from = {0, -4, 0}, at = {1, 0, 0}, motion = {from = {2, -4, 0}}, "
+                         "shutter = 0.5}");
+  EXPECT_EQ(moving->view_at_end.value().from, Vec3d(2, -4, 0));
+  EXPECT_EQ(moving->view_at_end.value().at, Vec3d(1, 0, 0));
+  EXPECT_EQ(moving->shutter.open, 0);
+  EXPECT_EQ(moving->shutter.close, 0.5);
+  EXPECT_EQ(make_.make<Camera>("orthographic", "{shutter = {0.25, 0.75}}")->shutter.open, 0.25);
+
+  EXPECT_THAT(make_.error_of("perspective", "{shutter = {0.5, 0.25}}"),
+              HasSubstr("shutter of perspective closes at 0.25, before it opens at 0.5"));
+  EXPECT_THAT(make_.error_of("perspective", "{shutter = 1.5}"), HasSubstr("from 0 to 1"));
+  EXPECT_THAT(make_.error_of("perspective", "{shutter = 'slow'}"),
+              HasSubstr("must be a number or {open, close}, not the string 'slow'"));
+  EXPECT_THAT(make_.error_of("perspective", "{at = {0, 0, 0}, motion = {from = {0, 0, 0}}}"),
+              HasSubstr("motion.at of perspective must differ from 'from'"));
+  EXPECT_THAT(make_.error_of("perspective", "{motion = {form = {1, 2, 3}}}"),
+              HasSubstr("did you mean 'from'?"));
+}
+
 TEST_F(NodeTest, ScenesSortTheirParts) {
   const schema::Node ball = make_.node("sphere", "{}");
   const schema::Node lamp = make_.node("sphere_light", "{power = 1}");

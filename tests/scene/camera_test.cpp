@@ -75,6 +75,18 @@ TEST(PrepareCamera, MovesTheLensInSharesAndDegrees) {
   }
 }
 
+TEST(PrepareCamera, HandsOnItsMotion) {
+  description::Camera camera{description::Orthographic{}, {}};
+  EXPECT_FALSE(scene::prepare_camera(camera, {4, 3}).motion);
+  camera.shutter = {0.25, 0.5};
+  camera.view_at_end = description::View{{3, -5, 2}, {0, 0, 2}, {0, 0, 1}};
+  const camera::Camera c = scene::prepare_camera(camera, {4, 3});
+  EXPECT_EQ(c.shutter, Interval({0.25, 0.5}));
+  const Frame end = camera::look_at({3, -5, 2}, {0, 0, 2}, {0, 0, 1});
+  EXPECT_NEAR(length(c.pose_at(1).position - Vec3d(3, -5, 2)), 0, 1e-14);
+  EXPECT_NEAR(length(c.pose_at(1).frame.normal - end.normal), 0, 1e-14);
+}
+
 TEST(PrepareCamera, KeepsPanoramasUpright) {
   description::Panorama p;
   p.view = {{1, 2, 3}, {1, 6, 0}, {0, 0, 1}};
