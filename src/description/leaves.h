@@ -18,14 +18,16 @@ struct Removed {
 /// itself is that of the innermost thing around it that was.
 struct Leaf {
   const Object& object;
-  const Transform& world_from_object;
-  const MaterialPtr& material;  ///< `default_material()` if nothing around it has one
-  std::string_view name;        ///< may be empty
-  const MaterialPtr& interior;  ///< may be null
-  std::int32_t priority;        ///< 0 if nothing around it has one
-  const Cut* cut;               ///< may be null
+  const Transform& world_from_object;  ///< when the frame begins
+  const MaterialPtr& material;         ///< `default_material()` if nothing around it has one
+  std::string_view name;               ///< may be empty
+  const MaterialPtr& interior;         ///< may be null
+  std::int32_t priority;               ///< 0 if nothing around it has one
+  const Cut* cut;                      ///< may be null
   /// What sections take away, the outermost first.
   std::span<const Removed> removed;
+  /// What it does while the frame lasts; null: it stays where it is.
+  std::shared_ptr<const geometry::MovingTransform> motion = nullptr;
 };
 
 /// Calls `visit` for every leaf of `objects` in the order of writing. The references hold for the

@@ -44,6 +44,11 @@ std::size_t mixed(std::size_t hash, const void* p) {
               "use a thin box or a flat cylinder");
 }
 
+[[noreturn]] void refuse_motion(const Object& operand) {
+  throw Error(operand.where.location(), "what moves cannot be a part of a combination",
+              "let the whole combination move: (a - b):motion { ... }");
+}
+
 }  // namespace
 
 std::size_t SolidWriter::HashOfPlace::operator()(const Place& place) const {
@@ -98,6 +103,7 @@ SolidWriter::Term SolidWriter::finish() {
 
 void SolidWriter::enter(const Object& object, const Transform& world_from_parent, const Wear& above,
                         Use use) {
+  if (object.motion) refuse_motion(object);
   Wear wear = above;
   if (object.material && !wear.forced) wear.material = &object.material;
   if (object.attributes && object.attributes->cut) wear.cut = &*object.attributes->cut;

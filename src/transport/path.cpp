@@ -126,7 +126,6 @@ SampledSpectrum Path::light_met(std::uint32_t index, const light::LightHit& hit)
 
 bool Path::arrives(std::uint32_t index, const light::LightSample& sample, const Vertex& vertex) {
   Ray shadow = ray_to_light(vertex.surface, sample);
-  shadow.time = ray_.time;
   if (sample.on_leaf) return finds(index, *sample.on_leaf, shadow);
   const bool triangles = std::holds_alternative<light::MeshLight>(scene_.lights()[index]);
   const double margin = triangles ? light_margin_ : 0.0;
@@ -147,7 +146,7 @@ bool Path::finds(std::uint32_t index, const geometry::LeafPatch& aim, Ray ray) {
   const bool is_front = hit.crossing == geometry::Crossing::enter;
   if (hit.kind != SurfaceKind::solid || !is_front || on_leaf(hit) != aim) return false;
   return scene_.light_index(hit) == index &&
-         scene_.world().solids().is_same_crossing(aim, ray.line(), distance, hit.t);
+         scene_.world().solids().is_same_crossing(aim, ray, distance, hit.t);
 }
 
 SampledSpectrum Path::direct_light(const Vertex& vertex, const MediaPair& media,
@@ -155,7 +154,7 @@ SampledSpectrum Path::direct_light(const Vertex& vertex, const MediaPair& media,
   if (scene_.light_selector() == nullptr) return {};
   const auto choice = scene_.light_selector()->choose(vertex.surface.p, points.light_choice());
   if (choice.probability == 0.0) return {};
-  const light::LightNumbers numbers{choice.remainder, points.light_position()};
+  const light::LightNumbers numbers{choice.remainder, points.light_position(), ray_.time};
   const light::Light& light = scene_.lights()[choice.index];
   const auto sample =
       light::sample_illumination(light, vertex.surface.p, numbers, context_.wavelengths);
@@ -202,9 +201,7 @@ void Path::cross(const Surface& surface, Vec3d direction) {
 
 void Path::pass_through(const Surface& surface) {
   cross(surface, ray_.direction);
-  const double time = ray_.time;
   ray_ = geometry::World::leave(surface, ray_.direction);
-  ray_.time = time;
   origin_.lobe = Lobe::specular;  // next-event estimation ended here
 }
 
@@ -219,9 +216,7 @@ bool Path::scatter(const Vertex& vertex, const VertexPoints& points) {
   index_squared_ *= sample->relative_index * sample->relative_index;
   origin_ = {vertex.surface.p, sample->pdf, sample->lobe};
   if ((sample->wi.z > 0.0) != (vertex.wo.z > 0.0)) cross(vertex.surface, direction);
-  const double time = ray_.time;
   ray_ = geometry::World::leave(vertex.surface, direction);
-  ray_.time = time;
   return true;
 }
 
@@ -256,8 +251,8 @@ SampledSpectrum Path::trace(const Ray& camera_ray, FirstSurface& first) {
                camera::depth(scene_.camera(), surface.p, ray_.time), scene_.object_index(hit) + 1};
     }
     if (slot.light != scene::Slot::no_light) {
-      L_ += beta_ *
-            light_met(scene_.light_index(hit), {surface.p, surface.geometric_normal, on_leaf(hit)});
+      L_ += beta_ * light_met(scene_.light_index(hit),
+                              {surface.p, surface.geometric_normal, on_leaf(hit), surface.time});
     }
     const bool is_glass = std::holds_alternative<bsdf::Glass>(material.material);
     if (is_glass && media.before == media.after) {
