@@ -41,33 +41,37 @@ Transform turn(std::size_t axis, double angle) {
   return *Transform::affine(m, {});
 }
 
-struct AxisAngle {
-  Vec3d axis{0, 0, 1};
-  double angle = 0;
-};
+/// As {axis = {x, y, z}, angle = degrees}; nothing if it is written in another way.
+std::optional<AxisAngle> read_axis_angle(const Value& value, const Context& context) {
+  if (!has_field(value, "axis") && !has_field(value, "angle")) return std::nullopt;
+  static const auto declaration =
+      schema::Declaration<AxisAngle>({.name = "rotate", .doc = ""})
+          .parameter("axis", &AxisAngle::axis, {.need = schema::Need::required})
+          .parameter("angle", &AxisAngle::angle, {.need = schema::Need::required});
+  const auto [axis, angle] = declaration.read(value, context);
+  if (length(axis) == 0.0) context.at("axis").fail("must not be zero");
+  return AxisAngle{normalize(axis), radians(angle)};
+}
+
+Transform rotation_xyz(Vec3d degrees) {
+  return turn(2, degrees.z) * (turn(1, degrees.y) * turn(0, degrees.x));
+}
 
 Transform read_rotation(const Value& value, const Context& context) {
-  if (has_field(value, "axis") || has_field(value, "angle")) {
-    static const auto declaration =
-        schema::Declaration<AxisAngle>({.name = "rotate", .doc = ""})
-            .parameter("axis", &AxisAngle::axis, {.need = schema::Need::required})
-            .parameter("angle", &AxisAngle::angle, {.need = schema::Need::required});
-    const auto [axis, angle] = declaration.read(value, context);
-    if (length(axis) == 0.0) context.at("axis").fail("must not be zero");
-    return Transform::rotation(axis, radians(angle));
+  if (const auto turned = read_axis_angle(value, context)) {
+    return Transform::rotation(turned->axis, turned->angle);
   }
-  const Vec3d angles = Reader<Vec3d>::read(value, context);
-  return turn(2, angles.z) * (turn(1, angles.y) * turn(0, angles.x));
+  return rotation_xyz(Reader<Vec3d>::read(value, context));
+}
+
+Vec3d read_factors(const Value& value, const Context& context) {
+  if (value.kind() != ValueKind::number) return schema::read_vector(value, context, {1, 1, 1});
+  const double s = Reader<double>::read(value, context);
+  return {s, s, s};
 }
 
 Transform read_scale(const Value& value, const Context& context) {
-  Vec3d factors;
-  if (value.kind() == ValueKind::number) {
-    const double s = Reader<double>::read(value, context);
-    factors = {s, s, s};
-  } else {
-    factors = schema::read_vector(value, context, {1, 1, 1});
-  }
+  const Vec3d factors = read_factors(value, context);
   if (factors.x == 0.0 || factors.y == 0.0 || factors.z == 0.0) {
     context.fail("must not be 0: it would leave the object no extent");
   }
@@ -108,9 +112,9 @@ Transform read_matrix(const Value& value, const Context& context) {
   return *transform;
 }
 
-using ReadMotion = Transform (*)(const Value&, const Context&);
+using ReadMove = Transform (*)(const Value&, const Context&);
 
-Method motion(schema::NodeInfo info, ReadMotion read) {
+Method move(schema::NodeInfo info, ReadMove read) {
   return {std::move(info),
           [read](const Object& object, const Value& argument, const schema::Call& call) {
             const Context context(call);
@@ -130,6 +134,70 @@ schema::NodeInfo info(std::string name, std::string doc, std::vector<std::string
           .examples = std::move(examples),
           .form = schema::Form::method,
           .parameters = {}};
+}
+
+/// A turn that keeps its whole turns where it is about one axis, and else is the least one.
+struct TurnReader {
+  static std::string type() { return "degrees {x, y, z}, or {axis = , angle = }"; }
+  static AxisAngle read(const Value& value, const Context& context) {
+    if (const auto turned = read_axis_angle(value, context)) return *turned;
+    const Vec3d angles = Reader<Vec3d>::read(value, context);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Vec3d alone;
+      alone[axis] = 1.0;
+      const bool is_alone = angles[(axis + 1) % 3] == 0.0 && angles[(axis + 2) % 3] == 0.0;
+      if (is_alone) return {alone, radians(angles[axis])};
+    }
+    return least_turn(rotation_xyz(angles).linear());
+  }
+  static std::string text(const AxisAngle&) { return ""; }
+};
+
+struct FactorsReader {
+  static std::string type() { return "number or {x, y, z}"; }
+  static Vec3d read(const Value& value, const Context& context) {
+    return read_factors(value, context);
+  }
+  static std::string text(const Vec3d&) { return "1"; }
+};
+
+schema::Declaration<geometry::Motion> declare_motion() {
+  using geometry::Motion;
+  schema::Declaration<Motion> d(
+      {.name = "motion",
+       .doc = "The object moving while the picture is taken: where it is when the frame ends, from "
+              "where it stands. The shutter of the camera says how much of the frame is seen.",
+       .section = "methods of objects",
+       .examples = {"ball:motion { translate = { 0.5, 0, 0 } }",
+                    "ball:motion { rotate = { z = 40 }, scale = 1.1 }"},
+       .form = schema::Form::method});
+  d.parameter("translate", &Motion::travel,
+              {.doc = "How far it goes, straight on.", .unit = schema::Unit::length})
+      .parameter<TurnReader>("rotate", &Motion::turn,
+                             {.doc = "How far it turns about the origin of its own coordinates, at "
+                                     "a constant rate about one axis; about x, y or z alone it may "
+                                     "be several times around.",
+                              .unit = schema::Unit::degrees,
+                              .range = {.min = -36000, .max = 36000}})
+      .parameter<FactorsReader>(
+          "scale", &Motion::scale,
+          {.doc = "How many times larger it becomes.", .range = {.min = 1e-3, .max = 1e3}});
+  return d;
+}
+
+Method motion() {
+  auto declaration = declare_motion();
+  schema::NodeInfo shown = declaration.info();
+  return {std::move(shown),
+          [declaration = std::move(declaration)](const Object& object, const Value& argument,
+                                                 const schema::Call& call) {
+            const Context context(call);
+            if (object.motion) {
+              context.fail("is given to what moves already",
+                           "put it into a group: the motion of that comes on top");
+            }
+            return with_motion(object, declaration.read(argument, context));
+          }};
 }
 
 ObjectPtr apply_name(const Object& object, const Value& argument, const schema::Call& call) {
@@ -207,28 +275,29 @@ std::vector<Method> object_methods() {
       apply_section(),
       {info("name", "The object with a name, for reports and layers.", {"ball:name \"moon\""}),
        apply_name},
-      motion(info("translate", "Moved by {x, y, z}; what is not named is 0.",
-                  {"ball:translate { 0, 0, 1.5 }", "ball:translate { z = 1.5 }"}),
-             [](const Value& value, const Context& context) {
-               return Transform::translation(Reader<Vec3d>::read(value, context));
-             }),
-      motion(info("rotate",
-                  "Turned by degrees {x, y, z} about x, then y, then z through {0, 0, 0}; or "
-                  "{axis = {x, y, z}, angle = degrees}.",
-                  {"ball:rotate { z = 45 }", "ball:rotate { axis = { 1, 1, 1 }, angle = 120 }"}),
-             read_rotation),
-      motion(info("scale",
-                  "Scaled about {0, 0, 0} by a number, or by {x, y, z}; what is not named "
-                  "is 1.",
-                  {"ball:scale(2)", "ball:scale { z = 0.5 }"}),
-             read_scale),
-      motion(info("mirror", "Mirrored in the plane through {0, 0, 0} with normal {x, y, z}.",
-                  {"ball:mirror { 1, 0, 0 }"}),
-             read_mirror),
-      motion(
+      move(info("translate", "Moved by {x, y, z}; what is not named is 0.",
+                {"ball:translate { 0, 0, 1.5 }", "ball:translate { z = 1.5 }"}),
+           [](const Value& value, const Context& context) {
+             return Transform::translation(Reader<Vec3d>::read(value, context));
+           }),
+      move(info("rotate",
+                "Turned by degrees {x, y, z} about x, then y, then z through {0, 0, 0}; or "
+                "{axis = {x, y, z}, angle = degrees}.",
+                {"ball:rotate { z = 45 }", "ball:rotate { axis = { 1, 1, 1 }, angle = 120 }"}),
+           read_rotation),
+      move(info("scale",
+                "Scaled about {0, 0, 0} by a number, or by {x, y, z}; what is not named "
+                "is 1.",
+                {"ball:scale(2)", "ball:scale { z = 0.5 }"}),
+           read_scale),
+      move(info("mirror", "Mirrored in the plane through {0, 0, 0} with normal {x, y, z}.",
+                {"ball:mirror { 1, 0, 0 }"}),
+           read_mirror),
+      move(
           info("transform", "Mapped by three rows of four numbers; the last of each is the offset.",
                {"ball:transform { { 1, 0, 0.3, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 2 } }"}),
           read_matrix),
+      motion(),
   };
 }
 

@@ -16,7 +16,8 @@ struct Method {
       apply;
 };
 
-/// material, interior, priority, cut, section, name, translate, rotate, scale, mirror, transform.
+/// material, interior, priority, cut, section, name, translate, rotate, scale, mirror, transform,
+/// motion.
 std::vector<Method> object_methods();
 
 }  // namespace lapidary::description

@@ -42,7 +42,8 @@ struct NodeWord<description::Camera> {
   static constexpr std::string_view type = "camera";
   static constexpr std::string_view wanted = "a camera";
   static constexpr std::string_view hint =
-      "cameras are perspective and orthographic, as in perspective { from = { 4, -7, 4 } }";
+      "cameras are perspective, orthographic, panorama and fisheye, as in perspective { from = { "
+      "4, -7, 4 } }";
 };
 template <>
 struct NodeWord<texture::Texture> {

@@ -24,6 +24,7 @@ std::vector<schema::NodeKind> spectrum_kinds();
 std::vector<schema::NodeKind> light_kinds();
 std::vector<schema::NodeKind> environment_kinds();
 std::vector<schema::NodeKind> camera_kinds();
+std::vector<schema::NodeKind> wide_camera_kinds();
 std::vector<schema::NodeKind> settings_kinds();
 schema::NodeKind scene_kind();
 

@@ -131,7 +131,8 @@ void Sweep::open_item(std::uint32_t slot, Compound::Item item, double key) {
 void Sweep::open_place(std::uint32_t index) {
   const SolidScene::Place& place = scene_.places()[index];
   const Compound& compound = scene_.assemblies()[place.assembly];
-  const Line line = place.space.line(s_->slots[0].line);
+  const Line line =
+      place.at(ray_.time, [this](const OwnSpace& s) { return s.line(s_->slots[0].line); });
   // Near the boxes |t| is at most this, and so the displacement is bounded.
   const double t = (length(line.origin) + place.reach) / length(line.direction);
   s_->open_slot(compound, index + 1, line, Bvh::Slabs(line, line.error_at(t)));
@@ -166,7 +167,8 @@ bool Sweep::lies_on_start(std::uint32_t slot, std::uint32_t leaf, std::size_t ev
   const Vec3d p = at.line.at(e.t);
   Vec3d n = outward_normal(at.compound->leaf(leaf).solid, e.patch, p);
   if (at.place != 0) {
-    n = normalize(scene_.places()[at.place - 1].space.world_normal(n));
+    n = normalize(scene_.places()[at.place - 1].at(
+        ray_.time, [n](const OwnSpace& space) { return space.world_normal(n); }));
   }
   const double slope = std::abs(dot(ray_.direction, n));
   return (e.t - e.tau) * slope <= ray_.from.displacement;
