@@ -77,7 +77,7 @@ bool Sweep::collect_events() {
     if (!next.is_event()) {
       s_->queue.pop();
       open(next);
-      release(std::min(key, lower_));
+      if (!s_->released.empty()) release(std::min(key, lower_));
       continue;
     }
     const Member& event = s_->events[next.event()];
@@ -202,39 +202,41 @@ void Sweep::open_leaf(std::uint32_t slot, std::uint32_t leaf, double key) {
   push_event(first);
 }
 
-/// Goes on to the next group that changes the medium.
-std::optional<Sweep::Change> Sweep::next_change() {
+/// Goes on to the next group that changes the medium; false when there is none. Sets a structure:
+/// an optional one is put together from parts just before it is read as a whole, which stalls.
+bool Sweep::next_change(Change& change) {
   for (;;) {
     begin_group();
-    if (!collect_events()) return std::nullopt;
+    if (!collect_events()) return false;
     for (std::size_t applied = 0; applied < s_->group.size() && collect_events();) {
       for (; applied < s_->group.size(); ++applied) {
         const Member& m = s_->group[applied];
         feed_leaf(m.slot, m.leaf, m.crossing == Crossing::enter, Since::group);
       }
       // What waited for this may have events of its own here.
-      release(lower_);
+      if (!s_->released.empty()) release(lower_);
       collect_events();
     }
     if (s_->toggles.empty()) continue;
-    const Change change{region_before(), region()};
-    if (scene_.medium(change.before) != scene_.medium(change.after)) return change;
+    change.before = region_before();
+    change.after = region();
+    if (scene_.medium(change.before) != scene_.medium(change.after)) return true;
   }
 }
 
 bool Sweep::next(Transition& found) {
-  while (const auto change = next_change()) {
-    describe(*change, found);
+  for (Change change; next_change(change);) {
+    describe(change, found);
     if (found.t < t_max_) return true;
   }
   return false;
 }
 
 bool Sweep::any() {
-  while (const auto change = next_change()) {
+  for (Change change; next_change(change);) {
     if (upper_ < t_max_) return true;
     Transition found;
-    describe(*change, found);
+    describe(change, found);
     if (found.t < t_max_) return true;
   }
   return false;
