@@ -7,8 +7,8 @@
 namespace lapidary::description {
 
 /// Every kind of node that this folder declares, in the order of the reference: solids, sheets,
-/// groups, combinations, materials, textures, spectra, lights, cameras, the scene and its tables. A
-/// mesh is read by import.
+/// groups, combinations, materials, textures, spectra, lights, cameras, the scene and its tables.
+/// Meshes and images are read by import.
 std::vector<schema::NodeKind> node_kinds();
 
 // One function for each file of declarations.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <variant>
 
@@ -58,5 +59,16 @@ class Color {
 
   std::variant<Constant, TexturePtr> value_;
 };
+
+/// One colour, the other, or a mixture with `share` of the second. The one that does not count is
+/// not looked at.
+template <typename Palette>
+typename Palette::Value blend(const std::array<Color, 2>& colors, double share,
+                              const Palette& palette, const Lookup& lookup) {
+  if (!(share > 0.0)) return colors[0].in(palette, lookup);
+  if (!(share < 1.0)) return colors[1].in(palette, lookup);
+  const auto second = static_cast<float>(share);
+  return colors[0].in(palette, lookup) * (1.0f - second) + colors[1].in(palette, lookup) * second;
+}
 
 }  // namespace lapidary::texture

@@ -4,24 +4,31 @@
 
 #include "texture/checker.h"
 #include "texture/color.h"
+#include "texture/moved.h"
+#include "texture/picture.h"
 
 /// Values over surfaces. A texture is a value itself, immutable and shared; textures are made of
 /// others, which were there before them, so that there are no cycles.
 ///
-/// Each kind is a plain struct with one function beside it:
+/// Each kind is a plain struct with one of these functions beside it, or both:
 ///
 ///   template <typename Palette>
 ///   typename Palette::Value color(const Kind&, const Palette&, const Lookup&);   of colours
 ///   double value(const Kind&, const Lookup&);                                    of numbers
 ///
-/// A number where a colour is wanted is a grey of that value; a colour where a number is wanted is
-/// its luminance. Values are whatever comes out, also beyond [0, 1]: who has limits keeps them.
+/// Where a kind has only numbers, a colour is a grey of that value; where it has only colours, a
+/// number is their luminance. Values are whatever comes out, also beyond [0, 1]: who has limits
+/// keeps them.
 namespace lapidary::texture {
 
 struct Texture {
-  using Kind = std::variant<Checker>;
+  using Kind = std::variant<Checker, Picture, Moved>;
   Kind kind;
 };
+
+/// `texture` moved: `motion` comes after the motions it has. Null when the composed map is singular
+/// to working precision or not finite.
+TexturePtr moved(const Texture& texture, const Transform& motion);
 
 double evaluate(const Texture& texture, const Lookup& lookup);
 template <typename Palette>
