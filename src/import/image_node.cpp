@@ -68,7 +68,7 @@ Declaration<ImageParameters> declare_image() {
       {.name = "image",
        .doc = "A picture, in the unit square of (u, v) with (0, 0) at its lower left corner.",
        .section = "textures",
-       .examples = {"image \"wood.jpg\"", "image { \"wood.jpg\", mapping = \"box\" }",
+       .examples = {"image \"wood.jpg\"", "image { \"wood.jpg\", mapping = \"box\" }:scale(0.5)",
                     "image { \"wood.jpg\", channel = \"red\", wrap = \"mirror\" }"}});
   d.parameter("file", &I::file,
               {.doc = "A PNG, JPEG, Radiance (.hdr) or OpenEXR file.",

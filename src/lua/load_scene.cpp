@@ -74,7 +74,7 @@ LoadedScene load_scene(const fs::path& scene, const LoadOptions& options) {
   MeshFiles meshes(options.warnings, [&guard](const fs::path& file) { return guard.allows(file); });
   ImageFiles images;
   const auto kinds = node_kinds(meshes, images);
-  const auto methods = description::object_methods();
+  const NodeMethods methods;
   Interpreter interpreter(options.limits, guard, options.print);
   SceneDescription description;
   interpreter.run([&](lua_State* L) {
