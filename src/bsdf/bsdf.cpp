@@ -1,14 +1,18 @@
 #include "bsdf/bsdf.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lapidary::bsdf {
 namespace {
 
-ConductorFresnel fresnel_of(const Metal& metal, const Wavelengths& wavelengths) {
-  if (const auto* index = std::get_if<ConductorIndex>(&metal.surface))
-    return ConductorFresnel::from_index(index->n.at(wavelengths), index->k.at(wavelengths));
-  return ConductorFresnel::from_normal_incidence(std::get<Spectrum>(metal.surface).at(wavelengths));
+ConductorFresnel fresnel_of(const Metal& metal, const Place& place) {
+  if (const auto* index = std::get_if<ConductorIndex>(&metal.surface)) {
+    return ConductorFresnel::from_index(index->n.at(place.wavelengths),
+                                        index->k.at(place.wavelengths));
+  }
+  const SampledSpectrum head_on = place.share(std::get<texture::Color>(metal.surface));
+  return ConductorFresnel::from_normal_incidence(head_on);
 }
 
 // Nearer to one the lobe of refraction is so narrow that facets change nothing, and the half
@@ -17,14 +21,25 @@ constexpr double smallest_index_step = 1e-4;
 
 }  // namespace
 
-Bsdf make_bsdf(const Matte& matte, const Wavelengths& wavelengths) {
-  return Diffuse{matte.color.at(wavelengths)};
+SampledSpectrum Place::share(const texture::Color& color) const {
+  const SampledSpectrum c = color.at(lookup, wavelengths);
+  // What is the same everywhere was checked when the scene was read.
+  return color.constant() != nullptr ? c : min(max(c, SampledSpectrum()), SampledSpectrum(1.0f));
 }
 
-Bsdf make_bsdf(const Metal& metal, const Wavelengths& wavelengths) {
-  const ConductorFresnel fresnel = fresnel_of(metal, wavelengths);
-  if (metal.roughness < smallest_roughness) return Mirror{fresnel};
-  return Conductor(fresnel, alpha_from_roughness(metal.roughness));
+double Place::share(const texture::Number& number) const {
+  return std::clamp(number.at(lookup), 0.0, 1.0);
+}
+
+Bsdf make_bsdf(const Matte& matte, const Place& place) {
+  return Diffuse{place.share(matte.color)};
+}
+
+Bsdf make_bsdf(const Metal& metal, const Place& place) {
+  const ConductorFresnel fresnel = fresnel_of(metal, place);
+  const double roughness = place.share(metal.roughness);
+  if (roughness < smallest_roughness) return Mirror{fresnel};
+  return Conductor(fresnel, alpha_from_roughness(roughness));
 }
 
 Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carried) {
@@ -39,10 +54,10 @@ Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carri
   return RoughDielectric(index, alpha_from_roughness(roughness));
 }
 
-Bsdf make_bsdf(const Glass& glass, const RefractiveIndex& outside, const Wavelengths& wavelengths,
+Bsdf make_bsdf(const Glass& glass, const RefractiveIndex& outside, const Place& place,
                Carried carried) {
-  return make_glass({outside.at(wavelengths), glass.index.at(wavelengths)}, glass.roughness,
-                    carried);
+  return make_glass({outside.at(place.wavelengths), glass.index.at(place.wavelengths)},
+                    place.share(glass.roughness), carried);
 }
 
 }  // namespace lapidary::bsdf

@@ -31,9 +31,19 @@ inline std::optional<BsdfSample> sample(const Black&, Vec3d, double, Vec2d, Mode
 
 using Bsdf = std::variant<Diffuse, Conductor, Mirror, SmoothDielectric, RoughDielectric, Black>;
 
-Bsdf make_bsdf(const Matte& matte, const Wavelengths& wavelengths);
+/// Where a material is met, and by which wavelengths.
+struct Place {
+  const texture::Lookup& lookup;
+  const Wavelengths& wavelengths;
 
-Bsdf make_bsdf(const Metal& metal, const Wavelengths& wavelengths);
+  /// What a texture gives, within [0, 1].
+  SampledSpectrum share(const texture::Color& color) const;
+  double share(const texture::Number& number) const;
+};
+
+Bsdf make_bsdf(const Matte& matte, const Place& place);
+
+Bsdf make_bsdf(const Metal& metal, const Place& place);
 
 /// The refractive indices at a path's wavelengths on both sides of a surface.
 struct InterfaceIndices {
@@ -46,7 +56,7 @@ struct InterfaceIndices {
 Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carried);
 
 /// Glass, with `outside` on the side that z points to.
-Bsdf make_bsdf(const Glass& glass, const RefractiveIndex& outside, const Wavelengths& wavelengths,
+Bsdf make_bsdf(const Glass& glass, const RefractiveIndex& outside, const Place& place,
                Carried carried);
 
 /// f(wo, wi) |cos theta_i| per steradian and the density, per solid angle, with which `sample`

@@ -36,6 +36,17 @@ Ray generate(const Orthographic& c, Vec2d film, Vec2d) {
   return ray;
 }
 
+// A share of a pixel.
+constexpr double cone_share = 0.5;
+
+Cone cone_of(const Perspective& c, Vec2d pixels) {
+  return {0.0, cone_share * 2.0 * c.half_height / pixels.y};
+}
+
+Cone cone_of(const Orthographic& c, Vec2d pixels) {
+  return {cone_share * 2.0 * c.half_height / pixels.y, 0.0};
+}
+
 }  // namespace
 
 Frame look_at(Vec3d from, Vec3d at, Vec3d up) {
@@ -46,6 +57,10 @@ Frame look_at(Vec3d from, Vec3d at, Vec3d up) {
 
 Ray generate_ray(const Camera& camera, Vec2d film, Vec2d lens) {
   return std::visit([&](const auto& c) { return generate(c, film, lens); }, camera);
+}
+
+Cone pixel_cone(const Camera& camera, Vec2d pixels) {
+  return std::visit([&](const auto& c) { return cone_of(c, pixels); }, camera);
 }
 
 double depth(const Camera& camera, Vec3d p) {

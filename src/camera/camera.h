@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "camera/cone.h"
 #include "geometry/ray.h"
 #include "math/frame.h"
 #include "math/vec.h"
@@ -36,6 +37,10 @@ Frame look_at(Vec3d from, Vec3d at, Vec3d up);
 /// A ray through `film`, each coordinate in [0, 1] from the top left corner, from the point of
 /// the lens that `lens` in [0, 1)^2 picks uniformly. The direction has unit length.
 geometry::Ray generate_ray(const Camera& camera, Vec2d film, Vec2d lens);
+
+/// The cone of the rays through a pixel of a picture of `pixels.x` x `pixels.y`: half of a pixel
+/// wide, since samples are spread over the pixel themselves.
+Cone pixel_cone(const Camera& camera, Vec2d pixels);
 
 /// How far `p` lies from the camera's plane along the view direction: the depth layer's value.
 double depth(const Camera& camera, Vec3d p);

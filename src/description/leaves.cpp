@@ -7,6 +7,7 @@ namespace {
 struct Inherited {
   Transform world_from_parent;
   MaterialPtr material = default_material();
+  Transform world_from_wearer;
   std::string_view name;
   MaterialPtr interior;
   std::int32_t priority = 0;
@@ -16,7 +17,10 @@ struct Inherited {
 Inherited inside(const Object& object, const Inherited& above) {
   Inherited here = above;
   if (object.placement) here.world_from_parent = above.world_from_parent * *object.placement;
-  if (object.material) here.material = object.material;
+  if (object.material) {
+    here.material = object.material;
+    here.world_from_wearer = here.world_from_parent;
+  }
   const Attributes* own = object.attributes.get();
   if (!own) return here;
   if (!own->name.empty()) here.name = own->name;
@@ -66,8 +70,8 @@ class LeafWalk {
       levels_.push_back({operands.first(1), std::move(here), removed_.size()});
       return;
     }
-    visit_({object, here.world_from_parent, here.material, here.name, here.interior, here.priority,
-            here.cut, removed_});
+    visit_({object, here.world_from_parent, here.material, here.world_from_wearer, here.name,
+            here.interior, here.priority, here.cut, removed_});
   }
 
   const std::function<void(const Leaf&)>& visit_;

@@ -20,6 +20,8 @@ struct Leaf {
   const Object& object;
   const Transform& world_from_object;
   const MaterialPtr& material;  ///< `default_material()` if nothing around it has one
+  /// Where that stands which was given the material: the place of its textures.
+  const Transform& world_from_wearer;
   std::string_view name;        ///< may be empty
   const MaterialPtr& interior;  ///< may be null
   std::int32_t priority;        ///< 0 if nothing around it has one

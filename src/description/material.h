@@ -47,6 +47,9 @@ inline const Glass* as_glass(const Material& material) {
   return std::get_if<Glass>(&material.model);
 }
 
+/// Whether it is not the same everywhere: some of its parameters are textures.
+bool is_textured(const Material& material);
+
 /// What an object wears that was given nothing: light grey, matte.
 MaterialPtr default_material();
 

@@ -4,6 +4,7 @@
 #include "description/emission_parameters.h"
 #include "description/node_readers.h"
 #include "description/nodes.h"
+#include "description/texture_readers.h"
 
 namespace lapidary::description {
 namespace {
@@ -65,9 +66,9 @@ struct MetalIndexReader {
 
 struct MetalParameters {
   std::optional<ConductorIndex> index;
-  std::optional<Spectrum> color;
+  std::optional<texture::Color> color;
   std::optional<Spectrum> n, k;
-  double roughness = 0;
+  texture::Number roughness;
 };
 
 Metal to_metal(const MetalParameters& m, const Context& context) {
@@ -91,10 +92,10 @@ NodeKind matte() {
                         .doc = "Diffuse, like chalk or plaster.",
                         .section = section,
                         .examples = {"matte \"#d8cfc0\"", "matte { color = { 0.7, 0.6, 0.5 } }"}});
-  d.parameter<ReflectanceReader>("color", &Matte::color,
-                                 {.doc = "Share of the light it gives back.",
-                                  .shorthand = Shorthand::yes,
-                                  .default_text = "{0.8, 0.8, 0.8}"});
+  d.parameter<ColorReader>("color", &Matte::color,
+                           {.doc = "Share of the light it gives back.",
+                            .shorthand = Shorthand::yes,
+                            .default_text = "{0.8, 0.8, 0.8}"});
   return node_kind(std::move(d), [](Matte&& m, const Context& context) {
     return material_node(std::move(m), context);
   });
@@ -111,14 +112,14 @@ NodeKind metal() {
        "ior", &MetalParameters::index,
        {.doc = fmt::format("A measured metal: {}.", fmt::join(metal_names(), ", ")),
         .shorthand = Shorthand::yes})
-      .parameter<Optional<ReflectanceReader>>(
+      .parameter<Optional<ColorReader>>(
           "color", &MetalParameters::color,
           {.doc = "What it reflects head on, instead of 'ior'.", .default_text = "{0.9, 0.9, 0.9}"})
       .parameter("n", &MetalParameters::n, {.doc = "Real part of its refractive index, with 'k'."})
       .parameter("k", &MetalParameters::k,
                  {.doc = "Imaginary part (extinction) of its refractive index, with 'n'."})
-      .parameter("roughness", &MetalParameters::roughness,
-                 {.doc = roughness_doc, .range = schema::unit_interval});
+      .parameter<NumberReader>("roughness", &MetalParameters::roughness,
+                               {.doc = roughness_doc, .range = schema::unit_interval});
   return node_kind(std::move(d), [](MetalParameters&& m, const Context& context) {
     return material_node(to_metal(m, context), context);
   });
@@ -151,7 +152,8 @@ NodeKind glass() {
        {.doc = fmt::format("Index of refraction, or one of: {}.", fmt::join(glass_names(), ", ")),
         .range = {.min = 1, .max = 10},
         .shorthand = Shorthand::yes})
-      .parameter("roughness", &G::roughness, {.doc = roughness_doc, .range = schema::unit_interval})
+      .parameter<NumberReader>("roughness", &G::roughness,
+                               {.doc = roughness_doc, .range = schema::unit_interval})
       .parameter<Optional<ReflectanceReader>>(
           "color", &G::color,
           {.doc = "What it tints: the colour of white light after 'distance' in it; clear when "

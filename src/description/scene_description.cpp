@@ -35,8 +35,8 @@ void for_each_leaf(const SceneDescription& scene, const std::function<void(const
     if (!scene.section || gives_light(leaf)) return visit(leaf);
     removed.assign(leaf.removed.begin(), leaf.removed.end());
     removed.push_back({scene.section, {}});
-    visit({leaf.object, leaf.world_from_object, leaf.material, leaf.name, leaf.interior,
-           leaf.priority, leaf.cut, removed});
+    visit({leaf.object, leaf.world_from_object, leaf.material, leaf.world_from_wearer, leaf.name,
+           leaf.interior, leaf.priority, leaf.cut, removed});
   });
 }
 

@@ -170,7 +170,7 @@ Surface World::triangle_surface(const Ray& ray, const Hit& hit) const {
 SurfaceUv World::surface_uv(const Hit& hit, const Surface& surface) const {
   switch (hit.kind) {
     case SurfaceKind::solid:
-      return solids_.surface_uv(hit.place, hit.index, hit.patch, surface.p);
+      return solids_.surface_uv(hit.place, hit.worn_leaf, hit.worn_patch, surface.p);
     case SurfaceKind::sheet:
       return geometry::surface_uv(stated_sheets_[hit.index], surface.p);
     case SurfaceKind::triangle:

@@ -52,8 +52,9 @@ class World {
 
   /// The surface of a hit that `nearest(ray)` returned.
   Surface surface(const Ray& ray, const Hit& hit) const;
-  /// Coordinates on it. A mesh without any has those of each triangle for itself: with d1 = p2 - p1
-  /// and d2 = p3 - p1, u = d1.(p - p1) / d1.d1 and v = d2.(p - p1) / d2.d2.
+  /// Coordinates on it. Of a solid: those of the leaf whose surface shows. A mesh without any has
+  /// those of each triangle for itself: with d1 = p2 - p1 and d2 = p3 - p1,
+  /// u = d1.(p - p1) / d1.d1 and v = d2.(p - p1) / d2.d2.
   SurfaceUv surface_uv(const Hit& hit, const Surface& surface) const;
 
   /// A ray that leaves `surface` towards `direction`, on whichever side that is, and does not meet

@@ -24,6 +24,7 @@ BlockTally& operator+=(BlockTally& a, const BlockTally& b) {
 struct BlockRenderer::Pass {
   std::uint32_t index;
   Wavelengths wavelengths;
+  camera::Cone cone;  ///< of a pixel
 };
 
 film::PixelSample BlockRenderer::sample_pixel(Vec2d size, int x, int y, const Pass& pass,
@@ -37,7 +38,8 @@ film::PixelSample BlockRenderer::sample_pixel(Vec2d size, int x, int y, const Pa
   ray.time = u[4];
 
   transport::FirstSurface first;
-  const SampledSpectrum L = tracer_.radiance(ray, {pass.wavelengths, points, counters}, first);
+  const SampledSpectrum L =
+      tracer_.radiance(ray, {pass.wavelengths, points, counters, pass.cone}, first);
   return {pass.wavelengths.to_rgb(L), first.albedo, Vec3f(first.normal),
           static_cast<float>(first.depth), first.object};
 }
@@ -54,9 +56,11 @@ void BlockRenderer::render_pixel(int x, int y, std::span<const Pass> passes, fil
 
 BlockTally BlockRenderer::render(PassRange range, film::Film& film, ThreadPool& pool) const {
   const double rotation = pass_sample(settings_.seed, 0, wavelength_dimension);
+  const camera::Cone cone = camera::pixel_cone(
+      scene_.camera(), {static_cast<double>(film.width()), static_cast<double>(film.height())});
   std::vector<Pass> passes;
   for (std::uint32_t p = range.begin; p < range.end; ++p) {
-    passes.push_back({p, Wavelengths::sample(Wavelengths::pass_stratum(p, rotation))});
+    passes.push_back({p, Wavelengths::sample(Wavelengths::pass_stratum(p, rotation)), cone});
   }
   const int columns = (film.width() + tile_ - 1) / tile_;
   const int rows = (film.height() + tile_ - 1) / tile_;

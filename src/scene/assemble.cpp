@@ -3,11 +3,13 @@
 #include <map>
 #include <optional>
 #include <tuple>
+#include <unordered_map>
 
 #include "base/error.h"
 #include "description/fold.h"
 #include "description/leaves.h"
 #include "description/solids.h"
+#include "scene/hash.h"
 #include "scene/solid_writer.h"
 
 namespace lapidary::scene {
@@ -136,6 +138,20 @@ std::optional<Design> design_of(const Leaf& leaf) {
                 leaf.cut, leaf.object.material != nullptr};
 }
 
+/// A material where it is worn.
+struct Worn {
+  const Material* material;
+  TextureFrame frame;
+
+  bool operator==(const Worn&) const = default;
+};
+
+struct HashOfWorn {
+  std::size_t operator()(const Worn& worn) const {
+    return mixed(mixed(0, worn.material), worn.frame.base_from_wearer);
+  }
+};
+
 /// Takes the leaves of a scene one by one.
 class Assembler {
  public:
@@ -178,8 +194,8 @@ class Assembler {
   void add(const Leaf& leaf);
   std::optional<std::uint32_t> assembly_of(const Leaf& leaf);
   Expression::Term root_of(const Leaf& leaf, SolidWriter& writer);
-  std::uint32_t slot(const MaterialPtr& material);
-  SolidWriter::TagOf tags();
+  std::uint32_t slot(const MaterialPtr& material, const TextureFrame& frame);
+  SolidWriter::TagOf tags(TextureFrame::Base base);
 
   const description::SceneDescription& scene_;
   std::size_t most_;  ///< leaves of an expression
@@ -187,20 +203,24 @@ class Assembler {
   Media media_;
   MeshSolids meshes_;
   std::map<Design, Uses> uses_;
-  bool cut_by_scene_ = false;                           ///< whether the current leaf is
-  std::uint32_t object_ = 0;                            ///< number of the current leaf
-  std::map<const Material*, std::uint32_t> own_slots_;  ///< of the current leaf
+  bool cut_by_scene_ = false;  ///< whether the current leaf is
+  std::uint32_t object_ = 0;   ///< number of the current leaf
+  /// Of the current leaf; those of a material with textures are one for each place.
+  std::unordered_map<Worn, std::uint32_t, HashOfWorn> own_slots_;
 };
 
-std::uint32_t Assembler::slot(const MaterialPtr& material) {
-  const auto [found, is_new] =
-      own_slots_.try_emplace(material.get(), static_cast<std::uint32_t>(solids_.slots.size()));
-  if (is_new) solids_.slots.push_back({object_, material});
+std::uint32_t Assembler::slot(const MaterialPtr& material, const TextureFrame& frame) {
+  const auto [found, is_new] = own_slots_.try_emplace(
+      {material.get(), frame}, static_cast<std::uint32_t>(solids_.slots.size()));
+  if (is_new) solids_.slots.push_back({object_, material, frame});
   return found->second;
 }
 
-SolidWriter::TagOf Assembler::tags() {
-  return [this](const MaterialPtr& material) { return slot(material); };
+SolidWriter::TagOf Assembler::tags(TextureFrame::Base base) {
+  return [this, base](const MaterialPtr& material, const Transform* base_from_wearer) {
+    return slot(material,
+                base_from_wearer ? TextureFrame{*base_from_wearer, base} : TextureFrame{});
+  };
 }
 
 void Assembler::add(const Leaf& leaf) {
@@ -209,7 +229,9 @@ void Assembler::add(const Leaf& leaf) {
   added.object = object_;
   added.where = leaf.object.where;
   geometry::Region& region = added.region;
-  region.tag = slot(leaf.material);
+  const bool textured = description::is_textured(*leaf.material);
+  region.tag =
+      slot(leaf.material, textured ? TextureFrame{leaf.world_from_wearer} : TextureFrame{});
   const MaterialPtr& filling = filling_of(leaf);
   region.medium = media_.number(filling);
   region.priority = leaf.priority;
@@ -219,7 +241,7 @@ void Assembler::add(const Leaf& leaf) {
     region.instance = static_cast<std::uint32_t>(solids_.instances.size());
     solids_.instances.push_back({*assembly, leaf.world_from_object});
   } else {
-    SolidWriter writer(solids_.expression, meshes_, tags(), most_);
+    SolidWriter writer(solids_.expression, meshes_, tags(TextureFrame::Base::world), most_);
     region.root = root_of(leaf, writer);
   }
   solids_.regions.push_back(std::move(added));
@@ -228,10 +250,12 @@ void Assembler::add(const Leaf& leaf) {
 Expression::Term Assembler::root_of(const Leaf& leaf, SolidWriter& writer) {
   std::vector<Expression::Term> terms{writer.write(leaf.object, leaf.world_from_object, leaf.cut)};
   for (const description::Removed& removed : leaf.removed) {
-    terms.push_back(~writer.write_removed(*removed.solid, removed.world_from_parent, leaf.object));
+    terms.push_back(~writer.write_removed(*removed.solid, removed.world_from_parent, leaf.object,
+                                          leaf.world_from_object));
   }
   if (cut_by_scene_) {
-    terms.push_back(~writer.write_removed(*scene_.section, {}, leaf.object));
+    terms.push_back(
+        ~writer.write_removed(*scene_.section, {}, leaf.object, leaf.world_from_object));
   }
   return terms.size() == 1 ? terms.front()
                            : solids_.expression.add(geometry::Operation::intersect, terms);
@@ -249,7 +273,7 @@ std::optional<std::uint32_t> Assembler::assembly_of(const Leaf& leaf) {
       return std::nullopt;
     }
     geometry::Assembly assembly;
-    SolidWriter writer(assembly.expression, meshes_, tags(), most_);
+    SolidWriter writer(assembly.expression, meshes_, tags(TextureFrame::Base::place), most_);
     assembly.root = writer.write(leaf.object, {}, leaf.cut);
     uses.assembly = static_cast<std::uint32_t>(solids_.assemblies.size());
     solids_.assemblies.push_back(std::move(assembly));

@@ -6,6 +6,7 @@
 #include "description/leaves.h"
 #include "description/scene_description.h"
 #include "geometry/solid_scene.h"
+#include "scene/texture_frame.h"
 
 namespace lapidary::scene {
 
@@ -20,6 +21,7 @@ struct SolidRegion {
 struct SolidSlot {
   std::uint32_t object = 0;  ///< as in SolidRegion; in assemblies, that of the first instance
   description::MaterialPtr material;
+  TextureFrame frame;  ///< counts where the material has textures
 };
 
 inline constexpr std::size_t largest_copied = 8;

@@ -37,7 +37,7 @@ class Builder {
   void add_mesh(const Leaf& leaf, const description::Mesh& mesh);
 
   /// Materials are prepared once, however many wear them.
-  Slot& add_slot(const MaterialPtr& material, std::uint32_t object);
+  Slot& add_slot(const MaterialPtr& material, std::uint32_t object, const TextureFrame& frame);
   std::uint32_t last_object() const {
     return static_cast<std::uint32_t>(parts_.objects.size() - 1);
   }
@@ -61,15 +61,21 @@ medium::Medium medium_of(const description::Glass& glass) {
   return medium;
 }
 
-Slot& Builder::add_slot(const MaterialPtr& material, std::uint32_t object) {
+Slot& Builder::add_slot(const MaterialPtr& material, std::uint32_t object,
+                        const TextureFrame& frame) {
   const auto [found, is_new] = material_index_.try_emplace(
       material.get(), static_cast<std::uint32_t>(parts_.materials.size()));
   if (is_new) {
     parts_.materials.push_back(prepare_material(*material));
     kept_.push_back(material);
   }
-  parts_.slots.push_back({object, found->second, Slot::no_light});
-  return parts_.slots.back();
+  Slot& slot = parts_.slots.emplace_back();
+  slot.object = object;
+  slot.material = found->second;
+  if (!description::is_textured(*material)) return slot;
+  if (parts_.frames.empty() || parts_.frames.back() != frame) parts_.frames.push_back(frame);
+  slot.frame = static_cast<std::uint32_t>(parts_.frames.size() - 1);
+  return slot;
 }
 
 void Builder::add_light(Slot& slot, light::Light light) {
@@ -89,7 +95,7 @@ void Builder::add(const Leaf& leaf, IsBody is_body) {
 
 /// Tags of solids are slots, so these come before all others.
 void Builder::add_solids(Solids&& solids) {
-  for (const SolidSlot& slot : solids.slots) add_slot(slot.material, slot.object);
+  for (const SolidSlot& slot : solids.slots) add_slot(slot.material, slot.object, slot.frame);
   for (const MaterialPtr& filling : solids.media) {
     media_.push_back(filling ? description::as_glass(*filling) : nullptr);
     if (filling) fillings_.push_back(filling);
@@ -148,7 +154,7 @@ void Builder::add_sheet(const Leaf& leaf, const geometry::Sheet& sheet) {
   }
   world_.sheets.push_back(geometry::transformed(sheet, leaf.world_from_object));
   parts_.sheet_slots.push_back(static_cast<std::uint32_t>(parts_.slots.size()));
-  Slot& slot = add_slot(leaf.material, last_object());
+  Slot& slot = add_slot(leaf.material, last_object(), {leaf.world_from_wearer});
   if (const auto* emission = emission_of(*leaf.material)) {
     add_light(slot, lights_.sheet(world_.sheets.back(), *emission));
   }
@@ -177,9 +183,11 @@ void Builder::add_mesh(const Leaf& leaf, const description::Mesh& mesh) {
   }
   bool emits = false;
   std::vector<const MaterialPtr*> worn;
+  std::vector<const Transform*> wearers;
   for (std::size_t part = 0; part < by_part.size(); ++part) {
     const bool own = part < mesh.materials.size() && mesh.materials[part] != nullptr;
     worn.push_back(own ? &mesh.materials[part] : &leaf.material);
+    wearers.push_back(own ? &leaf.world_from_object : &leaf.world_from_wearer);
     emits = emits || emission_of(**worn.back()) != nullptr;
   }
   if (emits) {
@@ -188,7 +196,7 @@ void Builder::add_mesh(const Leaf& leaf, const description::Mesh& mesh) {
     }
   }
   for (std::size_t part = 0; part < by_part.size(); ++part) {
-    Slot& slot = add_slot(*worn[part], last_object());
+    Slot& slot = add_slot(*worn[part], last_object(), {*wearers[part]});
     const auto* emission = emission_of(**worn[part]);
     if (emission != nullptr && !by_part[part].empty()) {
       add_light(slot, lights_.mesh(placement, by_part[part], *emission));

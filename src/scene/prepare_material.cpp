@@ -1,62 +1,53 @@
 #include "scene/prepare_material.h"
 
 #include <algorithm>
-#include <functional>
+
+#include "spectrum/color.h"
 
 namespace lapidary::scene {
 namespace {
 
-constexpr Rgb white{1, 1, 1};
+texture::Color white() {
+  return Spectrum::constant(1.0f);
+}
 
-/// Colour of light with the given spectrum, integrated over stratified wavelengths.
-Rgb color_of(const std::function<SampledSpectrum(const Wavelengths&)>& spectrum) {
-  constexpr int strata = 64;
-  Rgb sum;
-  for (int i = 0; i < strata; ++i) {
-    const Wavelengths w = Wavelengths::sample((i + 0.5) / strata);
-    const Rgb c = w.to_rgb(spectrum(w));
-    sum = {sum.r + c.r, sum.g + c.g, sum.b + c.b};
+/// A colour that is shown as {r, g, b}.
+texture::Color shown_as(Rgb rgb) {
+  const auto share = [](float v) { return std::clamp(v, 0.0f, 1.0f); };
+  return Spectrum::reflectance({share(rgb.r), share(rgb.g), share(rgb.b)});
+}
+
+/// Fresnel's formula at normal incidence, as a table over whole nanometres.
+Spectrum normal_reflectance(const ConductorIndex& index) {
+  SpectrumTable table{lambda_min, 1.0, {}};
+  for (double nm = lambda_min; nm <= lambda_max; ++nm) {
+    const double n = index.n.at(nm), k2 = index.k.at(nm) * index.k.at(nm);
+    const double r = ((n - 1) * (n - 1) + k2) / ((n + 1) * (n + 1) + k2);
+    table.values.push_back(static_cast<float>(r));
   }
-  return {sum.r / strata, sum.g / strata, sum.b / strata};
-}
-
-Rgb reflected_daylight(const Spectrum& reflectance) {
-  return color_of([&](const Wavelengths& w) { return reflectance.at(w) * w.d65(); });
-}
-
-/// Fresnel's formula at normal incidence.
-SampledSpectrum normal_reflectance(const ConductorIndex& index, const Wavelengths& w) {
-  const SampledSpectrum n = index.n.at(w), k = index.k.at(w), one(1.0f);
-  const SampledSpectrum k2 = k * k;
-  return ((n - one) * (n - one) + k2) / ((n + one) * (n + one) + k2);
+  return Spectrum::table(std::move(table));
 }
 
 PreparedMaterial prepare(const bsdf::Matte& matte) {
-  return {matte, reflected_daylight(matte.color)};
+  return {matte, matte.color};
 }
 
 PreparedMaterial prepare(const bsdf::Metal& metal) {
-  const Rgb albedo =
-      std::holds_alternative<Spectrum>(metal.surface)
-          ? reflected_daylight(std::get<Spectrum>(metal.surface))
-          : color_of([&](const Wavelengths& w) {
-              return normal_reflectance(std::get<ConductorIndex>(metal.surface), w) * w.d65();
-            });
-  return {metal, albedo};
+  const auto* index = std::get_if<ConductorIndex>(&metal.surface);
+  return {metal, index != nullptr ? texture::Color(normal_reflectance(*index))
+                                  : std::get<texture::Color>(metal.surface)};
 }
 
 PreparedMaterial prepare(const bsdf::Glass& glass) {
-  return {glass, white};
+  return {glass, white()};
 }
 
 /// The tint of the light, as bright as a surface can be.
 PreparedMaterial prepare(const description::Emissive& emissive) {
-  const Spectrum& spectrum = emissive.emission.spectrum;
-  const Rgb c = color_of([&](const Wavelengths& w) { return spectrum.at(w); });
+  const Rgb c = rgb_of(emissive.emission.spectrum);
   const float brightest = std::max({c.r, c.g, c.b});
-  if (!(brightest > 0.0f)) return {bsdf::Black{}, {}};
-  const auto scaled = [&](float v) { return std::clamp(v / brightest, 0.0f, 1.0f); };
-  return {bsdf::Black{}, {scaled(c.r), scaled(c.g), scaled(c.b)}};
+  if (!(brightest > 0.0f)) return {bsdf::Black{}, Spectrum::constant(0.0f)};
+  return {bsdf::Black{}, shown_as(c * (1.0f / brightest))};
 }
 
 }  // namespace

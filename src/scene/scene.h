@@ -13,6 +13,7 @@
 #include "light/light.h"
 #include "light/light_selector.h"
 #include "medium/medium.h"
+#include "scene/texture_frame.h"
 
 namespace lapidary::scene {
 
@@ -22,16 +23,18 @@ using Material = std::variant<bsdf::Matte, bsdf::Metal, bsdf::Glass, bsdf::Black
 /// A material with what does not depend on where it is hit.
 struct PreparedMaterial {
   Material material;
-  Rgb albedo;  ///< share of D65 light that it scatters, for the albedo layer; linear Rec. 709
+  texture::Color albedo;  ///< what it reflects or lets through, for the albedo layer
 };
 
 /// What one part of an object wears: an object has one slot, a mesh with several materials one for
 /// each of them.
 struct Slot {
   static constexpr std::uint32_t no_light = ~0u;
+  static constexpr std::uint32_t no_frame = ~0u;
   std::uint32_t object = 0;
   std::uint32_t material = 0;
   std::uint32_t light = no_light;
+  std::uint32_t frame = no_frame;  ///< of its textures; none where the material has none
 };
 
 /// The light of a slot that instances share, at one of their places.
@@ -74,6 +77,7 @@ class Scene {
     std::vector<ObjectInfo> objects;
     std::vector<PreparedMaterial> materials;
     std::vector<Slot> slots;
+    std::vector<TextureFrame> frames;
     std::vector<medium::Medium> media;     ///< number 0 surrounds everything
     std::vector<Filling> region_fillings;  ///< of each region of the world's solids
     std::vector<Filling> mesh_fillings;  ///< of each mesh placement; medium 0 where it is no glass
@@ -94,6 +98,7 @@ class Scene {
   const PreparedMaterial& material(const Slot& slot) const {
     return parts_.materials[slot.material];
   }
+  const TextureFrame& texture_frame(std::uint32_t number) const { return parts_.frames[number]; }
   /// The number, from 0, of the object that a hit is on.
   std::uint32_t object_index(const geometry::Hit& hit) const;
   const medium::Medium& medium(std::uint32_t number) const { return parts_.media[number]; }

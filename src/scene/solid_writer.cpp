@@ -1,10 +1,9 @@
 #include "scene/solid_writer.h"
 
-#include <bit>
-
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "scene/hash.h"
 
 namespace lapidary::scene {
 namespace {
@@ -22,23 +21,6 @@ bool takes_away(SetOperation operation) {
   return operation == SetOperation::subtract || operation == SetOperation::section;
 }
 
-std::size_t mixed(std::size_t hash, std::uint64_t more) {
-  // The finaliser of splitmix64 keeps what two neighbouring places differ in.
-  std::uint64_t x = hash + 0x9E3779B97F4A7C15u + more;
-  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
-  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
-  return static_cast<std::size_t>(x ^ (x >> 31));
-}
-
-std::size_t mixed(std::size_t hash, Vec3d v) {
-  for (std::size_t i = 0; i < 3; ++i) hash = mixed(hash, std::bit_cast<std::uint64_t>(v[i]));
-  return hash;
-}
-
-std::size_t mixed(std::size_t hash, const void* p) {
-  return mixed(hash, std::uint64_t{reinterpret_cast<std::uintptr_t>(p)});
-}
-
 [[noreturn]] void refuse(const Object& operand) {
   throw Error(operand.where.location(), "a flat sheet encloses nothing that could be combined",
               "use a thin box or a flat cylinder");
@@ -48,15 +30,15 @@ std::size_t mixed(std::size_t hash, const void* p) {
 
 std::size_t SolidWriter::HashOfPlace::operator()(const Place& place) const {
   std::size_t hash = mixed(place.operands, place.content);
-  for (const Vec3d& row : place.world_from_object.linear().row) hash = mixed(hash, row);
-  hash = mixed(hash, place.world_from_object.offset());
+  hash = mixed(hash, place.world_from_object);
+  if (const Transform* wearer = place.wear.world_from_wearer) hash = mixed(hash, *wearer);
   return mixed(mixed(hash, place.wear.worn()), place.wear.cut);
 }
 
 SolidWriter::Term SolidWriter::write(const Object& region, const Transform& world_from_region,
                                      const Cut* cut) {
   // That the region wears its material is what leaves inherit.
-  const Wear wear{nullptr, cut, false};
+  const Wear wear{.cut = cut};
   if (const geometry::Solid* solid = solid_of(region)) {
     write_leaf(region, *solid, world_from_region, wear);
   } else {
@@ -67,8 +49,10 @@ SolidWriter::Term SolidWriter::write(const Object& region, const Transform& worl
 
 SolidWriter::Term SolidWriter::write_removed(const Object& removed,
                                              const Transform& world_from_parent,
-                                             const Object& region) {
-  enter(removed, world_from_parent, wear_of_cutters(region, region.material, {}), Use::once);
+                                             const Object& region,
+                                             const Transform& world_from_region) {
+  const Difference cut{region, world_from_region, region.material, world_from_region};
+  enter(removed, world_from_parent, wear_of_cutters(cut, {}), Use::once);
   return finish();
 }
 
@@ -98,11 +82,11 @@ SolidWriter::Term SolidWriter::finish() {
 
 void SolidWriter::enter(const Object& object, const Transform& world_from_parent, const Wear& above,
                         Use use) {
-  Wear wear = above;
-  if (object.material && !wear.forced) wear.material = &object.material;
-  if (object.attributes && object.attributes->cut) wear.cut = &*object.attributes->cut;
   const Transform world_from_object =
       object.placement ? world_from_parent * *object.placement : world_from_parent;
+  Wear wear = above;
+  if (object.material && !wear.forced) wear_material(wear, object.material, world_from_object);
+  if (object.attributes && object.attributes->cut) wear.cut = &*object.attributes->cut;
   const geometry::Solid* solid = solid_of(object);
   if (!solid) return open(object, world_from_object, wear, use);
   if (use == Use::once) return write_leaf(object, *solid, world_from_object, wear);
@@ -130,7 +114,10 @@ void SolidWriter::open(const Object& object, const Transform& world_from_object,
   // Objects that differ in what they are told may be made of the same operands.
   if (use == Use::shared || level.operands.shared) level.use = Use::shared;
   if (takes_away(level.place.operation)) {
-    level.cutters = wear_of_cutters(*level.operands.objects.front(), object.material, wear);
+    const Object& minuend = *level.operands.objects.front();
+    const Transform world_from_minuend = world_from_object * minuend.parent_from_object();
+    level.cutters =
+        wear_of_cutters({minuend, world_from_minuend, object.material, world_from_object}, wear);
     if (level.place.operation == SetOperation::section) level.cutters.cut = nullptr;
   }
   const std::size_t leaves = expression_.leaves().size(), more = level.place.operands;
@@ -155,7 +142,9 @@ void SolidWriter::write_leaf(const Object& object, const geometry::Solid& solid,
   Wear wear = worn;
   const auto* mesh = std::get_if<description::Mesh>(&object.content);
   if (mesh && !wear.forced) {
-    if (const MaterialPtr* own = own_material(object, *mesh)) wear.material = own;
+    if (const MaterialPtr* own = own_material(object, *mesh)) {
+      wear_material(wear, *own, world_from_object);
+    }
   }
   if (expression_.leaves().size() >= most_) {
     throw Error(object.where.location(),
@@ -163,44 +152,62 @@ void SolidWriter::write_leaf(const Object& object, const geometry::Solid& solid,
                 "do copies of copies double it over and over?");
   }
   const geometry::SurfaceTag tag =
-      wear.material ? tag_of_(*wear.material) : geometry::inherited_surface;
+      wear.material ? tag_of_(*wear.material, wear.world_from_wearer) : geometry::inherited_surface;
   terms_.push_back(expression_.add(geometry::PlacedSolid(solid, world_from_object), tag));
 }
 
-/// What those wear that are taken from `minuend` by a difference which wears `of_difference`, null
-/// for nothing, and is itself to wear `wear`.
-Wear SolidWriter::wear_of_cutters(const Object& minuend, const MaterialPtr& of_difference,
-                                  const Wear& wear) {
+void SolidWriter::wear_material(Wear& wear, const MaterialPtr& material,
+                                const Transform& world_from_wearer) {
+  wear.material = &material;
+  wear.world_from_wearer = nullptr;
+  if (!description::is_textured(*material)) return;
+  const bool is_known = !wearers_.empty() && wearers_.back() == world_from_wearer;
+  if (!is_known) wearers_.push_back(world_from_wearer);
+  wear.world_from_wearer = &wearers_.back();
+}
+
+/// What those wear that are taken from the minuend by a difference that is itself to wear `wear`.
+Wear SolidWriter::wear_of_cutters(const Difference& difference, const Wear& wear) {
   if (wear.forced) return wear;
   Wear cutters = wear;
-  if (!of_difference) {
-    if (const MaterialPtr* surface = surface_of(minuend)) cutters.material = surface;
+  if (!difference.own) {
+    const Surface surface = surface_of(difference.minuend);
+    if (surface.material != nullptr) {
+      wear_material(cutters, *surface.material,
+                    difference.world_from_minuend * surface.object_from_wearer);
+    }
   }
   if (!wear.cut || wear.cut->rule == Cut::Rule::cutter) return cutters;
   cutters.forced = true;
-  if (wear.cut->rule == Cut::Rule::material) cutters.material = &wear.cut->material;
+  if (wear.cut->rule == Cut::Rule::material) {
+    wear_material(cutters, wear.cut->material, difference.world_from_difference);
+  }
   return cutters;
 }
 
 /// What `object` wears by itself, without what is around it: its own material or that of what it is
-/// cut from. Null for nothing.
-const MaterialPtr* SolidWriter::surface_of(const Object& object) {
+/// cut from.
+SolidWriter::Surface SolidWriter::surface_of(const Object& object) {
   std::vector<const Object*> cut;  // on the way down to what has an answer
   const Object* at = &object;
-  const MaterialPtr* surface = nullptr;
+  Surface surface;
   for (;;) {
     const auto known = surfaces_.find(at);
     if (known != surfaces_.end()) {
       surface = known->second;
       break;
     }
-    if (at->material) surface = &at->material;
+    if (at->material) surface.material = &at->material;
     const Combination* combination = at->combination();
-    if (surface || !combination || !takes_away(combination->operation())) break;
+    if (surface.material || !combination || !takes_away(combination->operation())) break;
     cut.push_back(at);
     at = combination->operands().front().get();
   }
-  for (const Object* known : cut) surfaces_.emplace(known, surface);
+  for (; !cut.empty(); cut.pop_back()) {
+    if (at->placement) surface.object_from_wearer = *at->placement * surface.object_from_wearer;
+    at = cut.back();
+    surfaces_.emplace(at, surface);
+  }
   return surface;
 }
 

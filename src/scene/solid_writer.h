@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <unordered_map>
 #include <vector>
@@ -14,12 +15,17 @@ namespace lapidary::scene {
 /// What an operation hands down to its operands about what they wear.
 struct Wear {
   const description::MaterialPtr* material = nullptr;  ///< null: what the region wears
-  const description::Cut* cut = nullptr;               ///< null: the cutter's
-  bool forced = false;                                 ///< whatever the operands wear themselves
+  /// Where that stands which was given a material with textures; null for others.
+  const Transform* world_from_wearer = nullptr;
+  const description::Cut* cut = nullptr;  ///< null: the cutter's
+  bool forced = false;                    ///< whatever the operands wear themselves
 
   const description::Material* worn() const { return material ? material->get() : nullptr; }
   bool operator==(const Wear& b) const {
-    return worn() == b.worn() && cut == b.cut && forced == b.forced;
+    const bool same_place =
+        world_from_wearer == b.world_from_wearer ||
+        (world_from_wearer && b.world_from_wearer && *world_from_wearer == *b.world_from_wearer);
+    return worn() == b.worn() && same_place && cut == b.cut && forced == b.forced;
   }
 };
 
@@ -28,8 +34,10 @@ struct Wear {
 class SolidWriter {
  public:
   using Term = geometry::Expression::Term;
-  /// The tag of leaves that wear a material.
-  using TagOf = std::function<geometry::SurfaceTag(const description::MaterialPtr&)>;
+  /// The tag of leaves that wear a material, which was given to what stands at
+  /// `world_from_wearer`; null where it has no textures.
+  using TagOf = std::function<geometry::SurfaceTag(const description::MaterialPtr&,
+                                                   const Transform* world_from_wearer)>;
 
   /// `most` is how many leaves the expression may come to have.
   SolidWriter(geometry::Expression& expression, MeshSolids& meshes, TagOf tag_of, std::size_t most)
@@ -39,10 +47,10 @@ class SolidWriter {
   /// cannot be an operand, and at the leaf that is one too many.
   Term write(const description::Object& region, const Transform& world_from_region,
              const description::Cut* cut);
-  /// A solid taken away from all of `region`; `world_from_parent` is where it stands before its own
-  /// placement.
+  /// A solid taken away from all of `region`, which stands at `world_from_region`;
+  /// `world_from_parent` is where the solid stands before its own placement.
   Term write_removed(const description::Object& removed, const Transform& world_from_parent,
-                     const description::Object& region);
+                     const description::Object& region, const Transform& world_from_region);
 
  private:
   /// A part where it stands: parts that are equal in all of this are the same term.
@@ -72,6 +80,14 @@ class SolidWriter {
     Use use = Use::once;
   };
 
+  /// Something that is taken from, as far as it matters for what the cut faces wear.
+  struct Difference {
+    const description::Object& minuend;
+    const Transform& world_from_minuend;
+    const description::MaterialPtr& own;  ///< null for none
+    const Transform& world_from_difference;
+  };
+
   Term finish();
   void enter(const description::Object& object, const Transform& world_from_parent,
              const Wear& above, Use use);
@@ -79,9 +95,17 @@ class SolidWriter {
             Use use);
   void write_leaf(const description::Object& object, const geometry::Solid& solid,
                   const Transform& world_from_object, const Wear& worn);
-  Wear wear_of_cutters(const description::Object& minuend,
-                       const description::MaterialPtr& of_difference, const Wear& wear);
-  const description::MaterialPtr* surface_of(const description::Object& object);
+  /// What an object wears by itself, and where that stands, in the object's coordinates, which was
+  /// given it.
+  struct Surface {
+    const description::MaterialPtr* material = nullptr;  ///< null: nothing
+    Transform object_from_wearer;
+  };
+
+  void wear_material(Wear& wear, const description::MaterialPtr& material,
+                     const Transform& world_from_wearer);
+  Wear wear_of_cutters(const Difference& difference, const Wear& wear);
+  Surface surface_of(const description::Object& object);
   Term close(const Level& level);
 
   const geometry::Solid* solid_of(const description::Object& object);
@@ -93,7 +117,8 @@ class SolidWriter {
   std::vector<Level> levels_;
   std::vector<Term> terms_;  ///< finished, of all levels
   std::unordered_map<Place, Term, HashOfPlace> written_;
-  std::unordered_map<const description::Object*, const description::MaterialPtr*> surfaces_;
+  std::unordered_map<const description::Object*, Surface> surfaces_;
+  std::deque<Transform> wearers_;  ///< of materials with textures: pointers to them stay good
 };
 
 }  // namespace lapidary::scene

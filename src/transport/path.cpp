@@ -5,6 +5,7 @@
 
 #include "sampling/mis.h"
 #include "transport/interior.h"
+#include "transport/lookup.h"
 #include "transport/vertex.h"
 
 namespace lapidary::transport {
@@ -27,6 +28,14 @@ constexpr double just_before_light = 1.0 - 1e-6;
 double before_triangles(const geometry::World& world) {
   const Box3d box = world.triangles().bounds();
   return box.empty() ? 0.0 : 16.0 * 4.0 * 0x1p-24 * 1.5 * max_component(box.extent());
+}
+
+/// The spread of the cone of paths that one of a scattered lobe stands for, drawn with `pdf`: a
+/// share of what it would be if there were no other. The lobe itself averages what it sees; this
+/// only spares looking at grains that no number of paths would resolve.
+double spread(double pdf) {
+  constexpr double share = 0.125;
+  return share * 2.0 * std::sqrt(1.0 / (pi * pdf));
 }
 
 /// The leaf that wears what was hit, if that is a solid.
@@ -67,7 +76,11 @@ class Path {
  public:
   Path(const scene::Scene& scene, const PathSettings& settings, double light_margin,
        const SampleContext& context)
-      : scene_(scene), settings_(settings), light_margin_(light_margin), context_(context) {}
+      : scene_(scene),
+        settings_(settings),
+        light_margin_(light_margin),
+        context_(context),
+        cone_(context.cone) {}
 
   SampledSpectrum trace(const Ray& camera_ray, FirstSurface& first);
 
@@ -106,6 +119,7 @@ class Path {
   double light_margin_;
   const SampleContext& context_;
   Ray ray_;
+  camera::Cone cone_;  ///< of `ray_`
   SampledSpectrum beta_{1.0f};
   SampledSpectrum L_;
   Carried carried_ = Carried::all;
@@ -218,6 +232,7 @@ bool Path::scatter(const Vertex& vertex, const VertexPoints& points) {
   if (sample->carried == Carried::hero) carried_ = Carried::hero;
   index_squared_ *= sample->relative_index * sample->relative_index;
   origin_ = {vertex.surface.p, sample->pdf, sample->lobe};
+  if (sample->lobe != Lobe::specular) cone_.spread = std::max(cone_.spread, spread(sample->pdf));
   if ((sample->wi.z > 0.0) != (vertex.wo.z > 0.0)) cross(vertex.surface, direction);
   const double time = ray_.time;
   ray_ = geometry::World::leave(vertex.surface, direction);
@@ -250,9 +265,15 @@ SampledSpectrum Path::trace(const Ray& camera_ray, FirstSurface& first) {
     beta_ *= transmittance(media.before, hit.t);  // directions have unit length
     const scene::Slot& slot = scene_.slot(hit);
     const scene::PreparedMaterial& material = scene_.material(slot);
+    cone_.width = cone_.width_at(hit.t);
+    texture::Lookup lookup;
+    if (slot.frame != scene::Slot::no_frame) {
+      lookup = lookup_at(scene_, {hit, surface, ray_.direction, cone_.width});
+    }
     if (depth_ == 0) {
       const bool from_behind = dot(surface.shading_normal, ray_.direction) > 0.0;
-      first = {material.albedo, from_behind ? -surface.shading_normal : surface.shading_normal,
+      first = {material.albedo.rgb_at(lookup),
+               from_behind ? -surface.shading_normal : surface.shading_normal,
                camera::depth(scene_.camera(), surface.p), scene_.object_index(hit) + 1};
     }
     if (slot.light != scene::Slot::no_light) {
@@ -267,7 +288,7 @@ SampledSpectrum Path::trace(const Ray& camera_ray, FirstSurface& first) {
     }
     if (depth_ == settings_.max_depth || only_light_counts) break;
 
-    const Vertex vertex = make_vertex({material, surface, ray_.direction,
+    const Vertex vertex = make_vertex({material, surface, lookup, ray_.direction,
                                        scene_.medium(media.before), scene_.medium(media.after)},
                                       context_.wavelengths, carried_);
     const VertexPoints points(context_.points, depth_);

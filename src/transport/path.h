@@ -25,6 +25,7 @@ struct SampleContext {
   const Wavelengths& wavelengths;
   const PixelSampler& points;  ///< block 0 is the camera's, block 1 + n the n-th vertex's
   Counters& counters;
+  camera::Cone cone;  ///< of the camera's ray
 };
 
 /// Unidirectional spectral path tracing: next-event estimation and BSDF sampling, combined by the

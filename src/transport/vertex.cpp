@@ -11,18 +11,19 @@ struct Sides {
   const medium::Medium &above, &below;
 };
 
-Bsdf bsdf_at(const bsdf::Matte& matte, const Sides&, const Wavelengths& wavelengths, Carried) {
-  return make_bsdf(matte, wavelengths);
+Bsdf bsdf_at(const bsdf::Matte& matte, const Sides&, const bsdf::Place& place, Carried) {
+  return make_bsdf(matte, place);
 }
-Bsdf bsdf_at(const bsdf::Metal& metal, const Sides&, const Wavelengths& wavelengths, Carried) {
-  return make_bsdf(metal, wavelengths);
+Bsdf bsdf_at(const bsdf::Metal& metal, const Sides&, const bsdf::Place& place, Carried) {
+  return make_bsdf(metal, place);
 }
-Bsdf bsdf_at(const bsdf::Glass& glass, const Sides& sides, const Wavelengths& wavelengths,
+Bsdf bsdf_at(const bsdf::Glass& glass, const Sides& sides, const bsdf::Place& place,
              Carried carried) {
+  const Wavelengths& wavelengths = place.wavelengths;
   return make_glass({sides.above.index.at(wavelengths), sides.below.index.at(wavelengths)},
-                    glass.roughness, carried);
+                    place.share(glass.roughness), carried);
 }
-Bsdf bsdf_at(const bsdf::Black& black, const Sides&, const Wavelengths&, Carried) {
+Bsdf bsdf_at(const bsdf::Black& black, const Sides&, const bsdf::Place&, Carried) {
   return black;
 }
 
@@ -43,8 +44,9 @@ Vertex make_vertex(const Meeting& m, const Wavelengths& wavelengths, Carried car
   if (!transparent && dot(wo, normal) < 0.0) normal = -normal;
   const Frame frame = Frame::from_normal(normal);
   const Sides sides{faces_ray ? m.before : m.after, faces_ray ? m.after : m.before};
+  const bsdf::Place place{m.lookup, wavelengths};
   return {m.surface, frame, frame.to_local(wo),
-          std::visit([&](const auto& kind) { return bsdf_at(kind, sides, wavelengths, carried); },
+          std::visit([&](const auto& kind) { return bsdf_at(kind, sides, place, carried); },
                      m.material.material)};
 }
 

@@ -22,7 +22,8 @@ struct Vertex {
 struct Meeting {
   const scene::PreparedMaterial& material;
   const geometry::Surface& surface;
-  Vec3d direction;  ///< of the ray
+  const texture::Lookup& lookup;  ///< counts where the material has textures
+  Vec3d direction;                ///< of the ray
   /// On the ray's way here, and on the other side.
   const medium::Medium &before, &after;
 };

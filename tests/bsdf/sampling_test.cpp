@@ -91,13 +91,16 @@ TEST(Sampling, SaysWhatIsSpecular) {
   const auto wavelengths = Wavelengths::sample(0.3);
   const RefractiveIndex air = RefractiveIndex::constant(1.0);
   const RefractiveIndex water = RefractiveIndex::constant(1.33);
-  const auto metal = [](double roughness) { return Metal{Spectrum::constant(0.5f), roughness}; };
+  const texture::Lookup anywhere;
+  const Place place{anywhere, wavelengths};
+  const texture::Color grey = Spectrum::constant(0.5f);
+  const auto metal = [&](double roughness) { return Metal{grey, roughness}; };
   const auto glass = [&](const RefractiveIndex& n, double roughness) {
-    return make_bsdf(Glass{n, roughness}, air, wavelengths, Carried::all);
+    return make_bsdf(Glass{n, roughness}, air, place, Carried::all);
   };
-  EXPECT_FALSE(is_specular(make_bsdf(Matte{Spectrum::constant(0.5f)}, wavelengths)));
-  EXPECT_TRUE(is_specular(make_bsdf(metal(0.0), wavelengths)));
-  EXPECT_FALSE(is_specular(make_bsdf(metal(0.1), wavelengths)));
+  EXPECT_FALSE(is_specular(make_bsdf(Matte{grey}, place)));
+  EXPECT_TRUE(is_specular(make_bsdf(metal(0.0), place)));
+  EXPECT_FALSE(is_specular(make_bsdf(metal(0.1), place)));
   EXPECT_TRUE(is_specular(glass(water, 0.0)));
   EXPECT_FALSE(is_specular(glass(water, 0.2)));
   // Facets between equal media bend nothing.

@@ -17,10 +17,11 @@ class ColorTest : public testing::Test {
   /// What a surface of that colour looks like in daylight: linear Rec. 709.
   Rgb matte_rgb(std::string_view literal) {
     const auto matte = make_.model<Matte, Material>("matte", literal);
+    const Spectrum& color = matte.color.constant()->spectrum;
     const Spectrum light = Spectrum::illuminant({1, 1, 1});
     SpectrumTable table{360, 1, {}};
     for (int nm = 360; nm <= 830; ++nm) {
-      table.values.push_back(static_cast<float>(matte.color.at(nm) * light.at(nm)));
+      table.values.push_back(static_cast<float>(color.at(nm) * light.at(nm)));
     }
     return rgb_of(Spectrum::table(table));
   }
@@ -71,7 +72,8 @@ TEST_F(ColorTest, RefusesWhatIsNone) {
 TEST_F(ColorTest, SpectraServeAsColors) {
   const schema::Node half = make_.node("spectrum", "{from = 400, step = 100, values = {0.5, 0.5}}");
   const auto material = make_.node("matte", schema::Value(half)).as<Material>();
-  EXPECT_FLOAT_EQ(static_cast<float>(std::get<Matte>(material->model).color.at(555.0)), 0.5f);
+  const Spectrum& color = std::get<Matte>(material->model).color.constant()->spectrum;
+  EXPECT_FLOAT_EQ(static_cast<float>(color.at(555.0)), 0.5f);
   const schema::Node bright = make_.node("spectrum", "{1, 2}");
   EXPECT_THAT(Constructor::message_of([&] { make_.node("matte", schema::Value(bright)); }),
               HasSubstr("must reflect from 0 to 1"));

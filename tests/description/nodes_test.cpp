@@ -213,11 +213,11 @@ TEST_F(NodeTest, GlassByNameOrIndex) {
 }
 
 TEST_F(NodeTest, MetalByNameOrColor) {
-  using Surface = std::variant<ConductorIndex, Spectrum>;
+  using Surface = std::variant<ConductorIndex, texture::Color>;
   const auto gold = make_.model<Metal, Material>("metal", "'gold'");
   EXPECT_TRUE(std::holds_alternative<ConductorIndex>(gold.surface));
   const Surface pink = make_.model<Metal, Material>("metal", "{color = 'pink'}").surface;
-  EXPECT_TRUE(std::holds_alternative<Spectrum>(pink));
+  EXPECT_TRUE(std::holds_alternative<texture::Color>(pink));
   EXPECT_THAT(make_.error_of("metal", "'gld'"), HasSubstr("did you mean 'gold'?"));
   EXPECT_THAT(make_.error_of("metal", "{'gold', color = 'pink'}"), HasSubstr("takes one of"));
   EXPECT_THAT(make_.error_of("metal", "{roughness = 2}"), HasSubstr("from 0 to 1"));

@@ -154,7 +154,7 @@ TEST(Build, GivesEverySurfaceItsObjectMaterialAndLight) {
   ASSERT_EQ(scene.lights().size(), 2u);  // but each is a light of its own
   EXPECT_TRUE(std::holds_alternative<light::RectangleLight>(scene.lights()[sheet.light]));
   EXPECT_TRUE(std::holds_alternative<light::SphereLight>(scene.lights()[bulb.light]));
-  EXPECT_NEAR(scene.material(sphere).albedo.r, 0.3, 1e-4);
+  EXPECT_NEAR(scene.material(sphere).albedo.rgb_at({}).r, 0.3, 1e-4);
   const scene::SceneCounts counts = scene.counts();
   EXPECT_EQ(counts.objects, 4u);
   EXPECT_EQ(counts.operands, 2u);
@@ -173,7 +173,7 @@ TEST(Build, GivesThePartsOfAMeshTheirMaterials) {
   const Slot& second = slot_along(scene, ray({-0.5, 0.5, 1}, {0, 0, -1}));
   EXPECT_EQ(first.light, 0u);
   EXPECT_EQ(second.light, Slot::no_light);
-  EXPECT_NEAR(scene.material(second).albedo.g, 0.6, 1e-4);
+  EXPECT_NEAR(scene.material(second).albedo.rgb_at({}).g, 0.6, 1e-4);
   EXPECT_EQ(scene.lights().size(), 1u);
   // Indices beyond the list wear the object's own, too.
   mesh.materials = {};

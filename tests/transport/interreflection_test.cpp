@@ -94,7 +94,9 @@ TEST(MultipleImportance, OfALightInGlossyMetalIsTheIntegral) {
         const scene::Scene scene = tiny.build();
 
         const auto wavelengths = Wavelengths::sample(0.3);
-        const auto surface = bsdf::make_bsdf(bsdf::Metal{grey(0.8), roughness}, wavelengths);
+        const texture::Lookup anywhere;
+        const bsdf::Metal metallic{texture::Color(grey(0.8)), roughness};
+        const auto surface = bsdf::make_bsdf(metallic, {anywhere, wavelengths});
         // The part of the light below the ground's horizon shows nothing; its grid must not try.
         geometry::Rectangle above = light;
         const double bottom = std::max(light.corner.z, 0.0);

@@ -128,7 +128,7 @@ TEST(Prism, ShowsALampWhereItsLightGoes) {
       for (std::uint32_t i = 0; i < 64; ++i) {
         const PixelSampler points(1, 2, 3, i);
         transport::FirstSurface first;
-        sum += tracer.radiance(in, {wavelengths, points, counters}, first).average();
+        sum += tracer.radiance(in, {wavelengths, points, counters, {}}, first).average();
       }
       return sum / 64;
     };

@@ -43,7 +43,7 @@ inline RunningMean radiance(const scene::Scene& scene, const geometry::Ray& seen
       const PixelSampler points(seed, pixel, 7, sample);
       transport::FirstSurface first;
       sum += static_cast<double>(
-          tracer.radiance(seen, {wavelengths, points, counters}, first).average());
+          tracer.radiance(seen, {wavelengths, points, counters, {}}, first).average());
     }
     mean.add(sum / probe.samples);
   }
