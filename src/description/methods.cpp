@@ -2,6 +2,7 @@
 
 #include "description/motions.h"
 #include "description/node_readers.h"
+#include "texture/texture.h"
 
 namespace lapidary::description {
 namespace {

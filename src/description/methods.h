@@ -6,7 +6,10 @@
 
 #include "description/object.h"
 #include "schema/node_kind.h"
-#include "texture/texture.h"
+
+namespace lapidary::texture {
+struct Texture;
+}
 
 namespace lapidary::description {
 

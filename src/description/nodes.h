@@ -20,6 +20,7 @@ std::vector<schema::NodeKind> group_kinds();
 std::vector<schema::NodeKind> combination_kinds();
 std::vector<schema::NodeKind> material_kinds();
 std::vector<schema::NodeKind> texture_kinds();
+std::vector<schema::NodeKind> noise_kinds();
 std::vector<schema::NodeKind> spectrum_kinds();
 std::vector<schema::NodeKind> light_kinds();
 std::vector<schema::NodeKind> camera_kinds();

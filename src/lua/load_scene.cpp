@@ -7,6 +7,7 @@
 #include "description/methods.h"
 #include "description/node_readers.h"
 #include "description/nodes.h"
+#include "description/texture_arithmetic.h"
 #include "import/image_node.h"
 #include "import/mesh_node.h"
 #include "lua/interpreter.h"
@@ -98,6 +99,7 @@ std::vector<schema::NodeInfo> node_infos() {
   std::vector<schema::NodeInfo> infos;
   for (auto& kind : node_kinds(meshes, images)) infos.push_back(std::move(kind.info));
   for (auto& info : description::operator_infos()) infos.push_back(std::move(info));
+  for (auto& info : description::texture_operator_infos()) infos.push_back(std::move(info));
   for (auto& method : description::object_methods()) infos.push_back(std::move(method.info));
   infos.push_back(description::color_info());
   infos.push_back(Parameters::info());

@@ -1,14 +1,17 @@
 #include "lua/nodes.h"
 
 #include <new>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "description/combine.h"
+#include "description/texture_arithmetic.h"
 #include "lua/interpreter.h"
 #include "lua/values.h"
 #include "schema/suggest.h"
+#include "texture/texture.h"
 
 namespace lapidary::lua {
 namespace {
@@ -16,6 +19,7 @@ namespace {
 using description::MethodOf;
 using description::Object;
 using description::SetOperation;
+using Reckoning = texture::Arithmetic::Operation;
 using schema::Node;
 using schema::NodeKind;
 using texture::Texture;
@@ -123,24 +127,67 @@ int no_assignment(lua_State* L) {
       "methods return changed copies");
 }
 
-/// Upvalue 1: the SetOperation.
-int combine(lua_State* L) {
-  const auto operation = static_cast<SetOperation>(lua_tointeger(L, lua_upvalueindex(1)));
+/// An operator: what it does with solids, and with textures.
+struct Operator {
+  const char* field;  ///< of a metatable
+  const char* sign;
+  std::optional<SetOperation> solids;
+  std::optional<Reckoning> textures;
+};
+constexpr Operator operators[] = {{"__add", "+", SetOperation::unite, Reckoning::add},
+                                  {"__sub", "-", SetOperation::subtract, Reckoning::subtract},
+                                  {"__mul", "*", std::nullopt, Reckoning::multiply},
+                                  {"__div", "/", std::nullopt, Reckoning::divide},
+                                  {"__pow", "^", std::nullopt, Reckoning::power},
+                                  {"__bor", "|", SetOperation::unite, std::nullopt},
+                                  {"__band", "&", SetOperation::intersect, std::nullopt},
+                                  {"__mod", "%", std::nullopt, std::nullopt},
+                                  {"__bxor", "~", std::nullopt, std::nullopt},
+                                  {"__shl", "<<", std::nullopt, std::nullopt},
+                                  {"__shr", ">>", std::nullopt, std::nullopt},
+                                  {"__idiv", "//", std::nullopt, std::nullopt}};
+
+[[noreturn]] void fail_operator(const char* sign, bool of_textures) {
+  throw Error({}, fmt::format("there is no '{}' of {}", sign, of_textures ? "textures" : "solids"),
+              of_textures
+                  ? "there are s + t, s - t, s * t, s / t, s ^ t and -t"
+                  : "there are a + b, a | b, a - b, a & b and ~a; solid:scale makes larger");
+}
+
+/// Upvalue 1: the Operator.
+int apply_operator(lua_State* L) {
+  const auto& op = *static_cast<const Operator*>(lua_touserdata(L, lua_upvalueindex(1)));
   Interpreter& interpreter = Interpreter::of(L);
   interpreter.arena().clear();
-  const schema::Value left = to_value(L, 1);
+  const schema::Value left = to_value(L, 1), right = to_value(L, 2);
   const schema::CallSite where = interpreter.call_site(L);
-  push_node(L, operation == SetOperation::complement
-                   ? description::complement(left, where)
-                   : description::combine(operation, left, to_value(L, 2), where));
+  const bool of_textures = description::is_texture(left) || description::is_texture(right);
+  if (of_textures && op.textures) {
+    push_node(L, description::reckon(*op.textures, left, right, where));
+  } else if (!of_textures && op.solids) {
+    push_node(L, description::combine(*op.solids, left, right, where));
+  } else {
+    fail_operator(op.sign, of_textures);
+  }
   return 1;
 }
 
-/// Upvalue 1: the operator's sign.
-int no_operator(lua_State* L) {
-  const std::string_view sign = lua_tostring(L, lua_upvalueindex(1));
-  throw Error({}, fmt::format("there is no '{}' of solids", sign),
-              "there are a + b, a | b, a - b, a & b and ~a; solid:scale makes larger");
+int complement(lua_State* L) {
+  Interpreter& interpreter = Interpreter::of(L);
+  interpreter.arena().clear();
+  const schema::Value value = to_value(L, 1);
+  if (description::is_texture(value)) fail_operator("~", true);
+  push_node(L, description::complement(value, interpreter.call_site(L)));
+  return 1;
+}
+
+int negative(lua_State* L) {
+  Interpreter& interpreter = Interpreter::of(L);
+  interpreter.arena().clear();
+  const schema::Value value = to_value(L, 1);
+  if (!description::is_texture(value)) fail_operator("-", false);
+  push_node(L, description::negative(value, interpreter.call_site(L)));
+  return 1;
 }
 
 void set_function(lua_State* L, const char* field, lua_CFunction function) {
@@ -158,26 +205,20 @@ void new_node_metatable(lua_State* L, const char* type) {
   lua_setfield(L, -2, "__metatable");
 }
 
+/// A closure over `data`, which outlives it.
+template <typename T>
+void push_closure(lua_State* L, lua_CFunction function, const T& data) {
+  lua_pushlightuserdata(L, const_cast<T*>(&data));
+  lua_pushcclosure(L, function, 1);
+}
+
 void set_operators(lua_State* L) {
-  constexpr std::pair<const char*, SetOperation> operators[] = {
-      {"__add", SetOperation::unite},
-      {"__bor", SetOperation::unite},
-      {"__sub", SetOperation::subtract},
-      {"__band", SetOperation::intersect},
-      {"__bnot", SetOperation::complement}};
-  for (const auto& [field, operation] : operators) {
-    lua_pushinteger(L, static_cast<lua_Integer>(operation));
-    lua_pushcclosure(L, guarded<combine>, 1);
-    lua_setfield(L, -2, field);
+  for (const Operator& op : operators) {
+    push_closure(L, guarded<apply_operator>, op);
+    lua_setfield(L, -2, op.field);
   }
-  constexpr std::pair<const char*, const char*> others[] = {
-      {"__mul", "*"},  {"__div", "/"},  {"__mod", "%"},  {"__pow", "^"},  {"__unm", "-"},
-      {"__bxor", "~"}, {"__shl", "<<"}, {"__shr", ">>"}, {"__idiv", "//"}};
-  for (const auto& [field, sign] : others) {
-    lua_pushstring(L, sign);
-    lua_pushcclosure(L, guarded<no_operator>, 1);
-    lua_setfield(L, -2, field);
-  }
+  set_function(L, "__bnot", guarded<complement>);
+  set_function(L, "__unm", guarded<negative>);
 }
 
 /// Pushes a copy of the names of `methods` that lives as long as Lua does.
@@ -194,13 +235,6 @@ void push_names(lua_State* L, const std::vector<MethodOf<T>>& methods) {
   lua_insert(L, -2);
   lua_setmetatable(L, -2);
   for (const MethodOf<T>& method : methods) names->push_back(method.info.name);
-}
-
-/// A closure over `data`, which outlives it.
-template <typename T>
-void push_closure(lua_State* L, lua_CFunction function, const T& data) {
-  lua_pushlightuserdata(L, const_cast<T*>(&data));
-  lua_pushcclosure(L, function, 1);
 }
 
 /// Gives the metatable on the stack `methods`.

@@ -85,9 +85,10 @@ class PyramidSampler {
 
  private:
   Value look(Vec2d uv, double level) const {
-    const double u = folded(uv.x, wrap_), v = folded(uv.y, wrap_);
     const auto& levels = pyramid_.levels_;
     const double last = static_cast<double>(levels.size() - 1);
+    if (wrap_ == Wrap::black && level > last) return look_from_afar(uv, level - last);
+    const double u = folded(uv.x, wrap_), v = folded(uv.y, wrap_);
     if (!(level < last)) return at(levels.back(), u, v);
     const double whole = std::floor(level);
     const auto part = static_cast<float>(level - whole);
@@ -95,6 +96,14 @@ class PyramidSampler {
     const Value a = at(levels[finer], u, v);
     if (part == 0.0f) return a;
     return a * (1.0f - part) + at(levels[finer + 1], u, v) * part;
+  }
+
+  /// At pixels that hold more and more of the nothing around the picture.
+  Value look_from_afar(Vec2d uv, double levels_beyond) const {
+    const double shrink = std::exp2(-levels_beyond);
+    const double u = 0.5 + (uv.x - 0.5) * shrink, v = 0.5 + (uv.y - 0.5) * shrink;
+    return at(pyramid_.levels_.back(), folded(u, wrap_), folded(v, wrap_)) *
+           static_cast<float>(shrink * shrink);
   }
 
   Value at(const Pyramid::Level& level, double u, double v) const {

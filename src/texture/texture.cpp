@@ -56,6 +56,12 @@ double Number::evaluate(const Lookup& lookup) const {
   return texture::evaluate(*std::get<TexturePtr>(value_), lookup);
 }
 
+double Color::number_at(const Lookup& lookup) const {
+  const Constant* same = constant();
+  return same != nullptr ? static_cast<double>(luminance(same->rgb))
+                         : texture::evaluate(*std::get<TexturePtr>(value_), lookup);
+}
+
 SampledSpectrum Color::evaluate(const SpectralPalette& palette, const Lookup& lookup) const {
   return texture::evaluate(*std::get<TexturePtr>(value_), palette, lookup);
 }

@@ -2,9 +2,14 @@
 
 #include <variant>
 
+#include "texture/arithmetic.h"
+#include "texture/cells.h"
 #include "texture/checker.h"
 #include "texture/color.h"
+#include "texture/gradient.h"
+#include "texture/grid.h"
 #include "texture/moved.h"
+#include "texture/noise_textures.h"
 #include "texture/picture.h"
 
 /// Values over surfaces. A texture is a value itself, immutable and shared; textures are made of
@@ -21,9 +26,19 @@
 /// keeps them.
 namespace lapidary::texture {
 
+/// How much of others a texture is made of, each counted wherever it is looked at, and itself.
+struct Extent {
+  int depth = 1;
+  double looks = 1;
+};
+
 struct Texture {
-  using Kind = std::variant<Checker, Picture, Moved>;
+  using Kind = std::variant<Checker, Picture, Moved, Gradient, Clouds, Turbulence, Marble, Wood,
+                            Voronoi, Grid, Bricks, Arithmetic, Mix, ChannelOf, Remap>;
   Kind kind;
+  Extent extent;
+
+  Texture(Kind k);  // NOLINT: a kind is one
 };
 
 /// `texture` moved: `motion` comes after the motions it has. Null when the composed map is singular

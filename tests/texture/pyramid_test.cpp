@@ -231,6 +231,25 @@ TEST(Pyramid, InterpolatesLinearlyAcrossEdges) {
   }
 }
 
+TEST(Pyramid, IsDimFromAfarWhereNothingIsBeside) {
+  Image white(16, 16, 1);
+  std::fill(white.pixels.begin(), white.pixels.end(), 1.0f);
+  const Pyramid pyramid(white);
+  for (const double size : {1.5, 4.0, 20.0}) {
+    // Over all places, as much as there is: an area of 1.
+    constexpr int steps = 100;
+    const double spacing = 4 * size / steps;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+      for (int j = 0; j < steps; ++j) {
+        const Vec2d uv{0.5 + (i - 49.5) * spacing, 0.5 + (j - 49.5) * spacing};
+        sum += grey(pyramid, {uv, {size, 0}, {0, size}}, Wrap::black, Filter::smooth);
+      }
+    }
+    EXPECT_NEAR(sum * spacing * spacing, 1.0, 0.02) << size;
+  }
+}
+
 TEST(Pyramid, HasItsOriginAtTheLowerLeft) {
   Image picture(2, 2, 1);
   picture.pixels = {0.1f, 0.2f, 0.3f, 0.4f};
