@@ -72,8 +72,9 @@ LoadedScene load_scene(const fs::path& scene, const LoadOptions& options) {
   check_exists(scene);
   Parameters parameters(options.settings);
   const FolderGuard guard(scene.parent_path(), options.allowed);
-  MeshFiles meshes(options.warnings, [&guard](const fs::path& file) { return guard.allows(file); });
   ImageFiles images;
+  MeshFiles meshes(
+      options.warnings, [&guard](const fs::path& file) { return guard.allows(file); }, &images);
   const auto kinds = node_kinds(meshes, images);
   const NodeMethods methods;
   Interpreter interpreter(options.limits, guard, options.print);
