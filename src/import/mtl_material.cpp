@@ -96,6 +96,17 @@ description::Metal to_metal(const MtlMaterial& mtl, MtlTextures& textures) {
   return {std::move(color), roughness(mtl, textures)};
 }
 
+/// Clear bodies have no gaps: what lets light pass is made of glass by then.
+description::SurfaceDetail to_detail(const MtlMaterial& mtl, MtlTextures& textures) {
+  description::SurfaceDetail detail;
+  if (!lets_light_pass(mtl)) {
+    if (auto map = textures.number(MtlChannel::dissolve)) detail.opacity = map;
+  }
+  if (auto height = textures.height()) detail.bump = height;
+  if (auto normals = textures.normals()) detail.normal = normals;
+  return detail;
+}
+
 }  // namespace
 
 description::MaterialPtr to_material(const MtlMaterial& mtl, const MtlReading& reading) {
@@ -103,8 +114,9 @@ description::MaterialPtr to_material(const MtlMaterial& mtl, const MtlReading& r
   auto material = std::make_shared<description::Material>();
   if (brightest(mtl.emission) > 0.0f) {
     const Rgb light = clamped(mtl.emission, 1e30f);
-    material->model =
-        description::Emissive{{description::Quantity::radiance, Spectrum::illuminant(light)}};
+    description::Emissive glow({description::Quantity::radiance, Spectrum::illuminant(light)});
+    if (auto pattern = textures.color(MtlChannel::emission)) glow.pattern = pattern;
+    material->model = std::move(glow);
   } else if (lets_light_pass(mtl)) {
     material->model = to_glass(mtl);
   } else if (is_metal(mtl)) {
@@ -112,6 +124,7 @@ description::MaterialPtr to_material(const MtlMaterial& mtl, const MtlReading& r
   } else {
     material->model = description::Matte{diffuse_color(mtl, textures)};
   }
+  material->detail = to_detail(mtl, textures);
   textures.warn_of_the_rest();
   material->name = mtl.name;
   material->where = {std::make_shared<const std::string>(mtl.where.file), mtl.where.line};

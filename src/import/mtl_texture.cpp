@@ -1,5 +1,7 @@
 #include "import/mtl_texture.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/error.h"
@@ -11,13 +13,17 @@ using texture::Arithmetic;
 using texture::Texture;
 using texture::TexturePtr;
 
-PictureOptions picture_options(const MtlTextureOptions& options, bool as_number) {
-  if (!as_number) return {};
-  const PictureChannel channel = options.scalar_channel == 'g'   ? PictureChannel::green
-                                 : options.scalar_channel == 'b' ? PictureChannel::blue
-                                 : options.scalar_channel == 'm' ? PictureChannel::alpha
-                                                                 : PictureChannel::red;
-  return {.channel = channel};
+PictureChannel scalar_channel(char letter) {
+  switch (letter) {
+    case 'g':
+      return PictureChannel::green;
+    case 'b':
+      return PictureChannel::blue;
+    case 'm':
+      return PictureChannel::alpha;
+    default:
+      return PictureChannel::red;
+  }
 }
 
 /// (u, v) of the picture are those of the surface, scaled, then moved.
@@ -51,44 +57,70 @@ MtlTextures::MtlTextures(const MtlMaterial& material, const MtlReading& reading)
     : material_(material), reading_(reading), used_(material.textures.size()) {}
 
 TexturePtr MtlTextures::color(MtlChannel channel) {
-  return read(channel, false);
+  return read(take(channel), {});
 }
 
 TexturePtr MtlTextures::number(MtlChannel channel) {
-  return read(channel, true);
+  const MtlTexture* stated = take(channel);
+  if (!stated) return nullptr;
+  const bool of_colors =
+      channel == MtlChannel::dissolve &&
+      std::any_of(material_.textures.begin(), material_.textures.end(),
+                  [&](const MtlTexture& other) {
+                    return other.channel == MtlChannel::diffuse && other.file == stated->file;
+                  });
+  return read(stated, {.channel = of_colors ? PictureChannel::alpha
+                                            : scalar_channel(stated->options.scalar_channel)});
 }
 
-TexturePtr MtlTextures::read(MtlChannel channel, bool as_number) {
-  if (!reading_.images) return nullptr;
-  for (std::size_t i = 0; i < used_.size(); ++i) {
-    const MtlTexture& stated = material_.textures[i];
-    if (stated.channel != channel) continue;
+TexturePtr MtlTextures::height() {
+  const MtlTexture* stated = take(MtlChannel::bump);
+  TexturePtr texture =
+      stated ? read(stated, {.channel = scalar_channel(stated->options.scalar_channel)}) : nullptr;
+  const double height = stated ? stated->options.bump_multiplier.value_or(1.0) : 1.0;
+  if (!texture || height == 1.0) return texture;
+  return reckoned(Arithmetic::Operation::multiply, std::move(texture), height);
+}
+
+TexturePtr MtlTextures::normals() {
+  return read(take(MtlChannel::normal), {.space = PictureSpace::linear});
+}
+
+const MtlTexture* MtlTextures::take(MtlChannel channel) {
+  for (std::size_t i = 0; i < used_.size() && reading_.images; ++i) {
+    if (material_.textures[i].channel != channel) continue;
     used_[i] = true;
-    const auto folder = std::filesystem::path(stated.where.file).parent_path();
-    const FoundFile file = find_file(folder, stated.stated, reading_.allow);
-    const auto warn = [&](const std::string& problem) {
-      if (!reading_.warnings) return;
-      reading_.warnings->add(stated.where,
-                             fmt::format("texture '{}' of material '{}' {}; it is left out",
-                                         stated.stated, material_.name, problem));
-    };
-    if (file.status != FoundFile::Status::found) {
-      warn(file.status == FoundFile::Status::missing ? "is not there" : "may not be read");
-      return nullptr;
-    }
-    try {
-      texture::Picture picture;
-      picture.pyramid =
-          reading_.images->read(file.path, picture_options(stated.options, as_number));
-      if (stated.options.clamp) picture.wrap = texture::Wrap::clamp;
-      const auto texture = std::make_shared<const Texture>(std::move(picture));
-      return adjusted(placed(texture, stated.options), stated.options);
-    } catch (const Error& error) {
-      warn(error.problem());
-      return nullptr;
-    }
+    return &material_.textures[i];
   }
   return nullptr;
+}
+
+TexturePtr MtlTextures::read(const MtlTexture* stated, const PictureOptions& options) const {
+  if (!stated) return nullptr;
+  const auto folder = std::filesystem::path(stated->where.file).parent_path();
+  const FoundFile file = find_file(folder, stated->stated, reading_.allow);
+  if (file.status != FoundFile::Status::found) {
+    const bool missing = file.status == FoundFile::Status::missing;
+    warn(*stated, missing ? "is not there" : "may not be read");
+    return nullptr;
+  }
+  try {
+    texture::Picture picture;
+    picture.pyramid = reading_.images->read(file.path, options);
+    if (stated->options.clamp) picture.wrap = texture::Wrap::clamp;
+    auto texture = std::make_shared<const Texture>(std::move(picture));
+    return adjusted(placed(std::move(texture), stated->options), stated->options);
+  } catch (const Error& error) {
+    warn(*stated, error.problem());
+    return nullptr;
+  }
+}
+
+void MtlTextures::warn(const MtlTexture& stated, std::string_view problem) const {
+  if (!reading_.warnings) return;
+  reading_.warnings->add(
+      stated.where, fmt::format("texture '{}' of material '{}' {}; it is left out", stated.stated,
+                                material_.name, problem));
 }
 
 void MtlTextures::warn_of_the_rest() const {

@@ -23,13 +23,19 @@ class MtlTextures {
 
   /// The first of a channel as colours; null when there is none.
   texture::TexturePtr color(MtlChannel channel);
-  /// The same as plain numbers.
+  /// The same as plain numbers. A picture of gaps that is also that of the diffuse colours says by
+  /// its alpha what is there.
   texture::TexturePtr number(MtlChannel channel);
+  /// Heights of a bump, and pictures of normals.
+  texture::TexturePtr height();
+  texture::TexturePtr normals();
   /// Warns of all textures that nobody asked for.
   void warn_of_the_rest() const;
 
  private:
-  texture::TexturePtr read(MtlChannel channel, bool as_number);
+  const MtlTexture* take(MtlChannel channel);
+  texture::TexturePtr read(const MtlTexture* stated, const PictureOptions& options) const;
+  void warn(const MtlTexture& stated, std::string_view problem) const;
 
   const MtlMaterial& material_;
   const MtlReading& reading_;

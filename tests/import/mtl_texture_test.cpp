@@ -82,6 +82,33 @@ TEST_F(MtlTextureTest, MetalsHaveColorsAndRoughness) {
   EXPECT_EQ(warning(), "0 warnings");
 }
 
+TEST_F(MtlTextureTest, SurfacesHaveGapsBumpsAndNormals) {
+  write_picture("p.exr");
+  const auto leaf = material("map_d -imfchan b p.exr\nbump -bm 0.1 -imfchan b p.exr\nnorm p.exr\n");
+  const texture::Lookup blue{.uv = {0.25, 0.25}};
+  EXPECT_NEAR(leaf->detail.opacity.at(blue), 0.5, 1e-6);
+  EXPECT_NEAR(leaf->detail.bump->at(blue), 0.05, 1e-6);
+  EXPECT_EQ(leaf->detail.normal->rgb_at(blue), (Rgb{0, 0, 0.5f}));
+  EXPECT_FALSE(material("map_Kd p.exr\n")->detail.has_relief());
+  EXPECT_EQ(warning(), "0 warnings");
+}
+
+TEST_F(MtlTextureTest, ColorsWithAlphaAreTheGaps) {
+  image::Image picture(1, 1, 4);
+  picture.pixels = {0.5f, 0.25f, 0.125f, 0.75f};
+  image::write_image(folder_.path() / "leaf.exr", picture);
+  const auto leaf = material("map_Kd leaf.exr\nmap_d leaf.exr\n");
+  EXPECT_NEAR(leaf->detail.opacity.at({}), 0.75, 1e-6);
+  EXPECT_EQ(std::get<Matte>(leaf->model).color.rgb_at({}), (Rgb{0.5f, 0.25f, 0.125f}));
+}
+
+TEST_F(MtlTextureTest, WhatGlowsHasAPattern) {
+  write_picture("p.exr");
+  const auto sign = material("Ke 3 3 3\nmap_Ke p.exr\n");
+  const auto& glow = std::get<description::Emissive>(sign->model);
+  EXPECT_EQ(glow.pattern.rgb_at({.uv = {0.25, 0.25}}), (Rgb{0, 0, 0.5f}));
+}
+
 TEST_F(MtlTextureTest, WhatIsWrongIsReported) {
   folder_.write("text.png", "no picture");
   EXPECT_NEAR(matte_color("map_Kd none.png\n").g, 0.8f, 1e-5f);
