@@ -169,6 +169,17 @@ TEST(Pyramid, KeepsTheCodesOfEightBitPictures) {
   }
 }
 
+TEST(Pyramid, RoundsMeansToTheNearestCode) {
+  Random random(25);
+  for (int i = 0; i < 10000; ++i) {
+    const auto v = static_cast<float>(random.uniform(-0.1, 1.1));
+    const double inside = std::clamp(static_cast<double>(v), 0.0, 1.0);
+    const double signal = static_cast<double>(srgb_encode(static_cast<float>(inside)));
+    EXPECT_NEAR(ByteScale::srgb().nearest(v), signal * 255, 0.5001);
+    EXPECT_NEAR(ByteScale::linear().nearest(v), inside * 255, 0.5001);
+  }
+}
+
 TEST(Pyramid, HoldsOtherPicturesAsHalves) {
   Image picture(2, 1, 1);
   picture.pixels = {1000.5f, 1e9f};
