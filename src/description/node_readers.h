@@ -10,7 +10,10 @@
 #include "description/light.h"
 #include "description/object.h"
 #include "schema/reader.h"
-#include "texture/texture.h"
+
+namespace lapidary::texture {
+struct Texture;
+}
 
 namespace lapidary::schema {
 

@@ -7,8 +7,8 @@
 namespace lapidary::description {
 
 /// Every kind of node that this folder declares, in the order of the reference: solids, sheets,
-/// groups, combinations, materials, textures, spectra, lights, cameras, the scene and its tables. A
-/// mesh is read by import.
+/// groups, combinations, materials, textures, spectra, lights, cameras, the scene and its tables.
+/// Meshes and images are read by import.
 std::vector<schema::NodeKind> node_kinds();
 
 // One function for each file of declarations.
@@ -20,6 +20,7 @@ std::vector<schema::NodeKind> group_kinds();
 std::vector<schema::NodeKind> combination_kinds();
 std::vector<schema::NodeKind> material_kinds();
 std::vector<schema::NodeKind> texture_kinds();
+std::vector<schema::NodeKind> noise_kinds();
 std::vector<schema::NodeKind> spectrum_kinds();
 std::vector<schema::NodeKind> light_kinds();
 std::vector<schema::NodeKind> environment_kinds();

@@ -189,14 +189,24 @@ SurfaceUv World::triangle_uv(const Hit& hit, double time) const {
   const Corners c = triangles_.corners(hit.index, hit.triangle, time);
   const TriangleMesh& mesh = *triangles_.placement(hit.index).mesh;
   const Vec3d e1 = c.p1 - c.p0, e2 = c.p2 - c.p0;
-  if (mesh.uvs.empty()) return {{hit.b1, hit.b2}, e1, e2};
   const auto& corner = mesh.triangles[hit.triangle];
-  const auto uv = [&](std::size_t i) {
-    const Vec2f f = mesh.uvs[corner[i]];
-    return Vec2d{static_cast<double>(f.x), static_cast<double>(f.y)};
-  };
-  const Vec2d d1 = uv(1) - uv(0), d2 = uv(2) - uv(0);
-  const Vec2d at = uv(0) + d1 * hit.b1 + d2 * hit.b2;
+  Vec2d origin, d1, d2;
+  if (mesh.uvs.empty()) {
+    // Along two edges in units of their lengths, as the mesh was written, wherever it stands.
+    const Vec3d p0 = mesh.position(corner[0]);
+    const Vec3d own1 = mesh.position(corner[1]) - p0, own2 = mesh.position(corner[2]) - p0;
+    const double mixed = dot(own1, own2);
+    d1 = {1.0, mixed / length_squared(own2)};
+    d2 = {mixed / length_squared(own1), 1.0};
+  } else {
+    const auto uv = [&](std::size_t i) {
+      const Vec2f f = mesh.uvs[corner[i]];
+      return Vec2d{static_cast<double>(f.x), static_cast<double>(f.y)};
+    };
+    origin = uv(0);
+    d1 = uv(1) - origin, d2 = uv(2) - origin;
+  }
+  const Vec2d at = origin + d1 * hit.b1 + d2 * hit.b2;
   const double det = d1.x * d2.y - d1.y * d2.x;
   if (det == 0.0) return {at, e1, e2};  // the chart is folded flat here: any basis is as good
   return {at, (e1 * d2.y - e2 * d1.y) / det, (e2 * d1.x - e1 * d2.x) / det};

@@ -53,7 +53,9 @@ class World {
 
   /// The surface of a hit that `nearest(ray)` returned.
   Surface surface(const Ray& ray, const Hit& hit) const;
-  /// Of a solid: those of the leaf whose surface shows.
+  /// Coordinates on it. Of a solid: those of the leaf whose surface shows. A mesh without any has
+  /// those of each triangle for itself: with d1 = p2 - p1 and d2 = p3 - p1,
+  /// u = d1.(p - p1) / d1.d1 and v = d2.(p - p1) / d2.d2.
   SurfaceUv surface_uv(const Hit& hit, const Surface& surface) const;
 
   /// A ray that leaves `surface` towards `direction` at the time it was met, on whichever side that

@@ -70,8 +70,7 @@ TEST_F(MethodTest, SingularMapsAreRefused) {
   EXPECT_THAT(make_.call_error(*ball_, "transform", "{{1,0,0,0}, {0,1,0,0}, {0,0,1,0}, {0,0,1,1}}"),
               HasSubstr("value [4] of transform must be {0, 0, 0, 1}"));
   const auto tiny = make_.call(*ball_, "scale", "1e-200");
-  EXPECT_THAT(make_.call_error(*tiny, "scale", "1e-200"),
-              HasSubstr("leaves nothing of the object"));
+  EXPECT_THAT(make_.call_error(*tiny, "scale", "1e-200"), HasSubstr("leaves nothing"));
 }
 
 TEST_F(MethodTest, MotionsAreReadAndCarriedAlong) {
