@@ -26,13 +26,12 @@ Vec3d front_normal(const Disk& disk) {
   return normalize(disk.normal);
 }
 
-SurfaceUv surface_uv(const Rectangle& r, Vec3d p) {
-  const PreparedRectangle prepared(r);
+SurfaceUv uv_of(const Rectangle& r, const PreparedRectangle& prepared, Vec3d p) {
   const Vec3d q = p - r.corner;
   return {{dot(prepared.dual_u, q), dot(prepared.dual_v, q)}, r.edge_u, r.edge_v};
 }
-SurfaceUv surface_uv(const Disk& disk, Vec3d p) {
-  const Frame frame = Frame::from_normal(front_normal(disk));
+SurfaceUv uv_of(const Disk& disk, const PreparedDisk& prepared, Vec3d p) {
+  const Frame frame = Frame::from_normal(prepared.normal);
   const Vec3d q = frame.to_local(p - disk.center) * (0.5 / disk.radius);
   return {{0.5 + q.x, 0.5 + q.y},
           frame.tangent * (2.0 * disk.radius),
@@ -122,8 +121,15 @@ Vec3d front_normal(const Sheet& sheet) {
   return std::visit([](const auto& kind) { return front_normal(kind); }, sheet);
 }
 
+SurfaceUv surface_uv(const Sheet& sheet, const PreparedSheet& prepared, Vec3d p) {
+  if (const auto* rectangle = std::get_if<Rectangle>(&sheet)) {
+    return uv_of(*rectangle, std::get<PreparedRectangle>(prepared), p);
+  }
+  return uv_of(std::get<Disk>(sheet), std::get<PreparedDisk>(prepared), p);
+}
+
 SurfaceUv surface_uv(const Sheet& sheet, Vec3d p) {
-  return std::visit([&](const auto& kind) { return surface_uv(kind, p); }, sheet);
+  return surface_uv(sheet, prepared(sheet), p);
 }
 
 Box3d bounds(const Sheet& sheet) {

@@ -69,6 +69,8 @@ std::optional<Event> intersect(const Sheet& sheet, const Line& line);  ///< prep
 
 Vec3d front_normal(const Sheet& sheet);  ///< unit length
 SurfaceUv surface_uv(const Sheet& sheet, Vec3d p);
+/// The same for a sheet that was prepared before.
+SurfaceUv surface_uv(const Sheet& sheet, const PreparedSheet& prepared, Vec3d p);
 Box3d bounds(const Sheet& sheet);
 double area(const Sheet& sheet);                         ///< one side
 BoundaryPoint sample_area(const Sheet& sheet, Vec2d u);  ///< uniform by area, with the front normal

@@ -176,7 +176,7 @@ SurfaceUv World::surface_uv(const Hit& hit, const Surface& surface) const {
     case SurfaceKind::solid:
       return solids_.surface_uv(hit.place, hit.worn_leaf, hit.worn_patch, surface.p, surface.time);
     case SurfaceKind::sheet:
-      return geometry::surface_uv(stated_sheets_[hit.index], surface.p);
+      return geometry::surface_uv(stated_sheets_[hit.index], sheets_[hit.index], surface.p);
     case SurfaceKind::triangle:
       return triangle_uv(hit, surface.time);
     case SurfaceKind::none:

@@ -148,7 +148,7 @@ struct Worn {
 
 struct HashOfWorn {
   std::size_t operator()(const Worn& worn) const {
-    return mixed(mixed(0, worn.material), worn.frame.base_from_wearer);
+    return mixed(mixed(0, worn.material), worn.frame.wearer_from_base);
   }
 };
 
@@ -220,8 +220,8 @@ std::uint32_t Assembler::slot(const MaterialPtr& material, const TextureFrame& f
 
 SolidWriter::TagOf Assembler::tags(TextureFrame::Base base) {
   return [this, base](const MaterialPtr& material, const Transform* base_from_wearer) {
-    return slot(material,
-                base_from_wearer ? TextureFrame{*base_from_wearer, base} : TextureFrame{});
+    return slot(material, base_from_wearer ? TextureFrame{base_from_wearer->inverse(), base}
+                                           : TextureFrame{});
   };
 }
 
@@ -232,8 +232,8 @@ void Assembler::add(const Leaf& leaf) {
   added.where = leaf.object.where;
   geometry::Region& region = added.region;
   const bool textured = description::is_textured(*leaf.material);
-  region.tag =
-      slot(leaf.material, textured ? TextureFrame{leaf.world_from_wearer} : TextureFrame{});
+  region.tag = slot(leaf.material,
+                    textured ? TextureFrame{leaf.world_from_wearer.inverse()} : TextureFrame{});
   const MaterialPtr& filling = filling_of(leaf);
   region.medium = media_.number(filling);
   region.priority = leaf.priority;

@@ -158,7 +158,7 @@ void Builder::add_sheet(const Leaf& leaf, const geometry::Sheet& sheet) {
   }
   world_.sheets.push_back(geometry::transformed(sheet, leaf.world_from_object));
   parts_.sheet_slots.push_back(static_cast<std::uint32_t>(parts_.slots.size()));
-  Slot& slot = add_slot(leaf.material, last_object(), {leaf.world_from_wearer});
+  Slot& slot = add_slot(leaf.material, last_object(), {leaf.world_from_wearer.inverse()});
   if (const auto* emission = emission_of(*leaf.material)) {
     add_light(slot, lights_.sheet(world_.sheets.back(), *emission));
   }
@@ -205,7 +205,7 @@ void Builder::add_mesh(const Leaf& leaf, const description::Mesh& mesh) {
     }
   }
   for (std::size_t part = 0; part < by_part.size(); ++part) {
-    Slot& slot = add_slot(*worn[part], last_object(), {*wearers[part]});
+    Slot& slot = add_slot(*worn[part], last_object(), {wearers[part]->inverse()});
     const auto* emission = emission_of(**worn[part]);
     if (emission != nullptr && !by_part[part].empty()) {
       add_light(slot, lights_.mesh(placement, by_part[part], *emission));

@@ -12,7 +12,7 @@ struct TextureFrame {
   /// combination's own coordinates.
   enum class Base : std::uint8_t { world, place };
 
-  Transform base_from_wearer;
+  Transform wearer_from_base;
   Base base = Base::world;
 
   bool operator==(const TextureFrame&) const = default;

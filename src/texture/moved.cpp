@@ -19,7 +19,8 @@ Lookup inside(const Moved& moved, const Lookup& lookup) {
           map.vector(lookup.dpdy),
           {uv.x, uv.y},
           flat_vector(lookup.duvdx),
-          flat_vector(lookup.duvdy)};
+          flat_vector(lookup.duvdy),
+          lookup.care};
 }
 
 double value(const Moved& moved, const Lookup& lookup) {

@@ -21,8 +21,10 @@ typename Palette::Value color(const Picture& picture, const Palette& palette,
                               const Lookup& lookup) {
   const auto flat = [](Vec3d v) { return Vec2d{v.x, v.y}; };
   return palette.of(mapped(picture.mapping, lookup, [&](const Place& place) {
-    return picture.pyramid->mean({flat(place.p), flat(place.dx), flat(place.dy)}, picture.wrap,
-                                 picture.filter);
+    const UvFootprint footprint{flat(place.p), flat(place.dx), flat(place.dy)};
+    return lookup.care == Lookup::Care::glance
+               ? picture.pyramid->glance(footprint, picture.wrap, picture.filter)
+               : picture.pyramid->mean(footprint, picture.wrap, picture.filter);
   }));
 }
 

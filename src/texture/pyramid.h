@@ -36,6 +36,10 @@ class Pyramid {
   /// Source: Williams 1983, "Pyramidal Parametrics"; uv_footprint.h.
   Rgb mean(const UvFootprint& footprint, Wrap wrap, Filter filter) const;
 
+  /// One look at the size whose pixels are nearest to the footprint in area. Has the mean of
+  /// `mean` where the footprint moves over the whole picture.
+  Rgb glance(const UvFootprint& footprint, Wrap wrap, Filter filter) const;
+
   int width() const { return levels_.front().width; }
   int height() const { return levels_.front().height; }
   int channels() const { return channels_; }

@@ -72,6 +72,19 @@ class PyramidSampler {
   PyramidSampler(const Pyramid& pyramid, Fetch fetch, Wrap wrap, Filter filter)
       : pyramid_(pyramid), fetch_(fetch), wrap_(wrap), filter_(filter) {}
 
+  Value glance(const UvFootprint& footprint) const {
+    const auto& levels = pyramid_.levels_;
+    const double pixels =
+        std::abs(footprint.dx.x * footprint.dy.y - footprint.dx.y * footprint.dy.x) *
+        pyramid_.width() * pyramid_.height();
+    // Twice as coarse, four times the area; rounded to the nearest.
+    const int level = pixels > 1.0 ? (std::ilogb(pixels) + 1) / 2 : 0;
+    const auto last = static_cast<int>(levels.size()) - 1;
+    if (wrap_ == Wrap::black && level > last) return look_from_afar(footprint.uv, level - last);
+    return at(levels[static_cast<std::size_t>(std::min(level, last))],
+              folded(footprint.uv.x, wrap_), folded(footprint.uv.y, wrap_));
+  }
+
   Value mean(const UvFootprint& footprint) const {
     const Probes probes = probes_of(footprint, pyramid_.width(), pyramid_.height(), filter_);
     if (probes.count == 1) return look(footprint.uv, probes.level);
@@ -165,6 +178,11 @@ auto with_sampler(const Pyramid& pyramid, const Texels& texels, Wrap wrap, Filte
 Rgb Pyramid::mean(const UvFootprint& footprint, Wrap wrap, Filter filter) const {
   return with_sampler(*this, texels_, wrap, filter,
                       [&](const auto& sampler) { return to_rgb(sampler.mean(footprint)); });
+}
+
+Rgb Pyramid::glance(const UvFootprint& footprint, Wrap wrap, Filter filter) const {
+  return with_sampler(*this, texels_, wrap, filter,
+                      [&](const auto& sampler) { return to_rgb(sampler.glance(footprint)); });
 }
 
 }  // namespace lapidary::texture

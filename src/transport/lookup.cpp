@@ -18,8 +18,7 @@ Footprint footprint(const Met& met) {
   const double cosine = dot(n, d);
   const Vec3d in_plane = d - n * cosine;
   const double sine = length(in_plane);
-  const Frame frame = Frame::from_normal(n);
-  const Vec3d along = sine > 1e-6 ? in_plane / sine : frame.tangent;
+  const Vec3d along = sine > 1e-6 ? in_plane / sine : Frame::from_normal(n).tangent;
   return {cross(n, along) * met.width,
           along * (met.width / std::max(std::abs(cosine), least_cosine))};
 }
@@ -77,13 +76,13 @@ SurfaceLookup lookup_at(const scene::Scene& scene, const Met& met) {
   const Footprint world = footprint(met);
   const geometry::SurfaceUv at = scene.world().surface_uv(met.hit, met.surface);
   const Piece in_world{met.surface.p, met.surface.geometric_normal, world.across, world.along};
-  const Piece worn =
-      in_base(scene, met, frame.base, in_world).mapped(frame.base_from_wearer.inverse());
+  const Piece worn = in_base(scene, met, frame.base, in_world).mapped(frame.wearer_from_base);
   texture::Lookup lookup;
   lookup.p = worn.p;
   lookup.normal = normalize(worn.normal);
   lookup.dpdx = worn.across;
   lookup.dpdy = worn.along;
+  lookup.care = met.care;
   lookup.uv = at.uv;
   lookup.duvdx = uv_step(at, world.across);
   lookup.duvdy = uv_step(at, world.along);

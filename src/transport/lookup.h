@@ -11,6 +11,7 @@ struct Met {
   const geometry::Surface& surface;
   Vec3d direction;   ///< of the ray, unit length
   double width = 0;  ///< of the path's cone there
+  texture::Lookup::Care care = texture::Lookup::Care::mean;
 };
 
 /// Where the textures that a surface wears are to be looked up, and how that lies in the world.

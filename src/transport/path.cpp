@@ -71,7 +71,8 @@ class Path {
   const NextEvent& next_event_;
   const SampleContext& context_;
   Ray ray_;
-  camera::Cone cone_;  ///< of `ray_`
+  camera::Cone cone_;                                         ///< of `ray_`
+  texture::Lookup::Care care_ = texture::Lookup::Care::mean;  ///< what it sees deserves
   SampledSpectrum beta_{1.0f};
   SampledSpectrum L_;
   Carried carried_ = Carried::all;
@@ -146,7 +147,10 @@ bool Path::scatter(const Vertex& vertex, const VertexPoints& points) {
   if (sample->carried == Carried::hero) carried_ = Carried::hero;
   index_squared_ *= sample->relative_index * sample->relative_index;
   origin_ = {vertex.lit, sample->pdf, sample->lobe};
-  if (sample->lobe != Lobe::specular) cone_.spread = std::max(cone_.spread, spread(sample->pdf));
+  if (sample->lobe != Lobe::specular) {
+    cone_.spread = std::max(cone_.spread, spread(sample->pdf));
+  }
+  if (sample->lobe == Lobe::diffuse) care_ = texture::Lookup::Care::glance;
   if ((sample->wi.z > 0.0) != (vertex.wo.z > 0.0)) cross(vertex.surface, direction);
   ray_ = geometry::World::leave(vertex.surface, direction);
   presence_.reset();
@@ -179,7 +183,7 @@ SampledSpectrum Path::trace(const Ray& camera_ray, FirstSurface& first) {
     const scene::Slot& slot = scene_.slot(hit);
     const scene::PreparedMaterial& material = scene_.material(slot);
     cone_.width = cone_.width_at(hit.t);
-    const Met met{hit, surface, ray_.direction, cone_.width};
+    const Met met{hit, surface, ray_.direction, cone_.width, care_};
     std::optional<SurfaceLookup> found;
     if (slot.frame != scene::Slot::no_frame) found = lookup_at(scene_, met);
     const SurfaceLookup& lookup = found ? *found : nowhere;

@@ -1,6 +1,7 @@
 #include "transport/sight.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "transport/lookup.h"
 
@@ -9,6 +10,25 @@ namespace lapidary::transport {
 double opacity(const bsdf::SurfaceDetail& detail, const texture::Lookup& lookup) {
   return std::clamp(detail.opacity.at(lookup), 0.0, 1.0);
 }
+
+namespace {
+
+/// Turns the leg that has just begun to the end of the whole way: it may start beside the way, off
+/// the surface before it. False where that end is reached already.
+bool aim(Sight& sight, const geometry::Ray& way) {
+  const Vec3d to_end = way.origin + way.direction * way.t_max - sight.ray.origin;
+  const double rest = length(to_end);
+  if (!(dot(to_end, way.direction) > 0.0)) {
+    sight.hit = {};
+    return false;
+  }
+  sight.ray.direction = to_end / rest;
+  sight.ray.t_max = rest;
+  sight.passed = way.t_max - rest;
+  return true;
+}
+
+}  // namespace
 
 Sight look(const scene::Scene& scene, geometry::Ray ray, camera::Cone cone, Counters& counters) {
   Sight sight;
@@ -25,9 +45,10 @@ Sight look(const scene::Scene& scene, geometry::Ray ray, camera::Cone cone, Coun
     const double there = opacity(detail, lookup_at(scene, {hit, surface, ray.direction, width}).at);
     if (there == 1.0) return sight;
     sight.share *= 1.0 - there;
-    sight.passed += hit.t;
+    const double before = sight.passed + hit.t;
     sight.ray = geometry::World::leave(surface, ray.direction);
-    sight.ray.t_max = ray.t_max - sight.passed;
+    sight.passed = before;
+    if (std::isfinite(ray.t_max) && !aim(sight, ray)) return sight;
   }
 }
 

@@ -111,6 +111,25 @@ TEST(Pyramid, AveragesOverTheFootprint) {
   EXPECT_LT(relative_error(natural_picture(), 32, 6), 1e-4);
 }
 
+// One look misses much of what it stands for, but nothing on average.
+TEST(Pyramid, GlancesHaveTheMeanOfThePicture) {
+  const Image picture = noisy_picture(64, 64, 1, 5);
+  double mean = 0;
+  for (const float v : picture.pixels) mean += static_cast<double>(v) / 4096.0;
+  const Pyramid pyramid(picture);
+  Random random(6);
+  for (const double size : {0.001, 0.02, 0.1, 0.7}) {
+    double sum = 0;
+    constexpr int looks = 40000;
+    for (int i = 0; i < looks; ++i) {
+      const UvFootprint f{{random.uniform(0, 1), random.uniform(0, 1)}, {size, 0}, {0, 0.3 * size}};
+      sum += static_cast<double>(pyramid.glance(f, Wrap::repeat, Filter::smooth).g) / looks;
+    }
+    // The pixels' own spread is 0.115: 5 standard errors, missed once in a million seeds.
+    EXPECT_NEAR(sum, mean, 5 * 0.115 / std::sqrt(static_cast<double>(looks)));
+  }
+}
+
 TEST(Pyramid, AVeryLongFootprintIsNotSmearedAcross) {
   // Rows of light and dark, seen along them: what widens a footprint mixes them.
   Image stripes(256, 256, 1);

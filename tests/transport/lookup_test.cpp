@@ -13,7 +13,8 @@ namespace {
 using transport::SurfaceLookup;
 
 description::MaterialPtr textured() {
-  return material(description::Matte{std::make_shared<const texture::Texture>()});
+  return material(description::Matte{
+      std::make_shared<const texture::Texture>(texture::Texture{texture::Checker{}})});
 }
 
 struct Found {
