@@ -6,7 +6,9 @@
 #include "bsdf/conductor.h"
 #include "bsdf/diffuse.h"
 #include "bsdf/material.h"
+#include "bsdf/phong_lobes.h"
 #include "bsdf/rough_dielectric.h"
+#include "bsdf/rough_diffuse.h"
 #include "bsdf/scattering.h"
 #include "bsdf/smooth_dielectric.h"
 #include "spectrum/wavelengths.h"
@@ -29,7 +31,8 @@ inline std::optional<BsdfSample> sample(const Black&, Vec3d, double, Vec2d, Mode
   return {};
 }
 
-using Bsdf = std::variant<Diffuse, Conductor, Mirror, SmoothDielectric, RoughDielectric, Black>;
+using Bsdf = std::variant<Diffuse, RoughDiffuse, PhongLobes, Conductor, Mirror, SmoothDielectric,
+                          RoughDielectric, Black>;
 
 /// Where a material is met, and by which wavelengths.
 struct Place {

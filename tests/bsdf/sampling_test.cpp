@@ -9,7 +9,7 @@ namespace {
 using lapidary::test::Random;
 using test::direction;
 
-// 61 views of surfaces share a false-alarm rate of 1e-4.
+// 76 views of surfaces share a false-alarm rate of 1e-4.
 TEST(Sampling, FollowsItsDensity) {
   for (const auto& [name, surface] : test::rough_surfaces()) {
     if (name.starts_with("white") || name.starts_with("glass")) continue;  // nothing of their own
@@ -25,7 +25,7 @@ TEST(Sampling, FollowsItsDensity) {
             return s ? std::optional(s->wi) : std::nullopt;
           },
           [&](Vec3d wi) { return pdf(bsdf, wo, wi); },
-          {.samples = 30000, .tests = 61, .min_depth = min_depth, .max_depth = 8},
+          {.samples = 30000, .tests = 76, .min_depth = min_depth, .max_depth = 8},
           lapidary::test::sphere_grid(20, 20));
       EXPECT_TRUE(result.accepted) << name << " from " << view << ": " << result.message;
     }
@@ -62,6 +62,7 @@ TEST(Sampling, SurvivesHostileDirectionsAndNumbers) {
   surfaces.push_back({"smooth glass", test::dispersive_glass(0.0)});
   surfaces.push_back({"narrow metal", test::white_metal(9e-4)});
   surfaces.push_back({"narrow glass", test::dispersive_glass(9e-4)});
+  surfaces.push_back({"narrow phong", PhongLobes({}, SampledSpectrum(1.0f), 1e6)});
   surfaces.push_back({"black", Black{}});
   const double below_one = 1.0 - 0x1p-53;
   for (const auto& [name, bsdf] : surfaces) {

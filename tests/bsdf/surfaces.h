@@ -33,7 +33,13 @@ inline Bsdf dispersive_glass(double alpha) {
 
 /// Every kind that is not specular, smooth to rough.
 inline std::vector<NamedBsdf> rough_surfaces() {
-  std::vector<NamedBsdf> all{{"diffuse", Diffuse{SampledSpectrum(0.5f)}}};
+  const SampledSpectrum half(0.5f);
+  std::vector<NamedBsdf> all{
+      {"diffuse", Diffuse{half}},
+      {"rough diffuse", RoughDiffuse({0.9f, 0.5f, 0.1f, 1.0f}, 1.0)},
+      {"wide phong", PhongLobes(half, half, 2.0)},
+      {"phong", PhongLobes(half * 0.1f, {0.9f, 0.1f, 0.5f, 0.0f}, 50.0)},
+  };
   const SampledSpectrum n(0.2f, 1.1f, 0.4f, 2.0f), k(3.5f, 2.4f, 5.0f, 0.5f);
   for (const double alpha : {0.05, 0.3, 1.0}) {
     const std::string suffix = " " + std::to_string(alpha);
