@@ -5,7 +5,11 @@
 
 #include "bsdf/conductor.h"
 #include "bsdf/diffuse.h"
+#include "bsdf/layered.h"
 #include "bsdf/material.h"
+#include "bsdf/mixture.h"
+#include "bsdf/nested.h"
+#include "bsdf/pane.h"
 #include "bsdf/phong_lobes.h"
 #include "bsdf/rough_dielectric.h"
 #include "bsdf/rough_diffuse.h"
@@ -32,7 +36,17 @@ inline std::optional<BsdfSample> sample(const Black&, Vec3d, double, Vec2d, Mode
 }
 
 using Bsdf = std::variant<Diffuse, RoughDiffuse, PhongLobes, Conductor, Mirror, SmoothDielectric,
-                          RoughDielectric, Black>;
+                          RoughDielectric, Pane, Layered, Mixture, Black>;
+
+struct Nested {
+  Bsdf bsdf;
+};
+inline NestedPtr nested(Bsdf bsdf) {
+  return std::make_shared<const Nested>(Nested{std::move(bsdf)});
+}
+
+/// In time independent of how deep it is nested.
+Traits traits_of(const Bsdf& bsdf);
 
 /// Where a material is met, and by which wavelengths.
 struct Place {
@@ -88,8 +102,10 @@ inline std::optional<BsdfSample> sample(const Bsdf& bsdf, Vec3d wo, double u_lob
 
 /// Whether all lobes are specular, so that next-event estimation finds nothing.
 inline bool is_specular(const Bsdf& bsdf) {
+  if (const auto* layered = std::get_if<Layered>(&bsdf)) return layered->is_specular();
+  if (const auto* mixture = std::get_if<Mixture>(&bsdf)) return mixture->is_specular();
   return std::holds_alternative<Mirror>(bsdf) || std::holds_alternative<SmoothDielectric>(bsdf) ||
-         std::holds_alternative<Black>(bsdf);
+         std::holds_alternative<Pane>(bsdf) || std::holds_alternative<Black>(bsdf);
 }
 
 }  // namespace lapidary::bsdf
