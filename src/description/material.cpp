@@ -18,13 +18,14 @@ bool varies(const Metal& metal) {
 bool varies(const Glass& glass) {
   return any_varies(glass.roughness);
 }
-bool varies(const Emissive&) {
-  return false;
+bool varies(const Emissive& emissive) {
+  return any_varies(emissive.pattern);
 }
 
 }  // namespace
 
 bool is_textured(const Material& material) {
+  if (any_varies(material.detail.opacity) || material.detail.has_relief()) return true;
   return std::visit([](const auto& model) { return varies(model); }, material.model);
 }
 

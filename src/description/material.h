@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "bsdf/material.h"
+#include "bsdf/surface_detail.h"
 #include "description/emission.h"
 #include "schema/call_site.h"
 
@@ -13,6 +14,7 @@ namespace lapidary::description {
 
 using bsdf::Matte;
 using bsdf::Metal;
+using bsdf::SurfaceDetail;
 
 /// What a clear body does to light on its way through: after `distance` scene units it has the
 /// colour `color`, and after any other what Beer and Lambert say.
@@ -32,12 +34,15 @@ struct Glass : bsdf::Glass {
 /// meshes. Every object that wears it has the stated power of its own.
 struct Emissive {
   Emission emission;  ///< radiance or power
+  /// Multiplies it over the surface.
+  texture::Color pattern = Spectrum::constant(1.0f);
 };
 
 struct Material {
   std::variant<Matte, Metal, Glass, Emissive> model;
   std::string name;  ///< may be empty
   schema::CallSite where;
+  SurfaceDetail detail;
 };
 
 using MaterialPtr = std::shared_ptr<const Material>;

@@ -4,6 +4,7 @@
 #include "description/emission_parameters.h"
 #include "description/node_readers.h"
 #include "description/nodes.h"
+#include "description/surface_detail.h"
 #include "description/texture_readers.h"
 
 namespace lapidary::description {
@@ -20,9 +21,10 @@ using schema::ValueKind;
 constexpr auto section = "materials";
 
 template <typename Model>
-Node material_node(Model model, const Context& context) {
+Node material_node(Model model, SurfaceDetail detail, const Context& context) {
   auto material = std::make_shared<Material>();
   material->model = std::move(model);
+  material->detail = std::move(detail);
   material->where = context.call().where;
   return Node::of<Material>(context.call().node, std::move(material), sizeof(Material));
 }
@@ -88,26 +90,29 @@ Metal to_metal(const MetalParameters& m, const Context& context) {
 constexpr auto roughness_doc = "0 is polished, 1 is dull.";
 
 NodeKind matte() {
-  Declaration<Matte> d({.name = "matte",
-                        .doc = "Diffuse, like chalk or plaster.",
-                        .section = section,
-                        .examples = {"matte \"#d8cfc0\"", "matte { color = { 0.7, 0.6, 0.5 } }"}});
+  using M = Detailed<Matte>;
+  Declaration<M> d({.name = "matte",
+                    .doc = "Diffuse, like chalk or plaster.",
+                    .section = section,
+                    .examples = {"matte \"#d8cfc0\"", "matte { color = { 0.7, 0.6, 0.5 } }",
+                                 "matte(checker { \"white\", \"black\" })"}});
   d.parameter<ColorReader>("color", &Matte::color,
                            {.doc = "Share of the light it gives back.",
                             .shorthand = Shorthand::yes,
                             .default_text = "{0.8, 0.8, 0.8}"});
-  return node_kind(std::move(d), [](Matte&& m, const Context& context) {
-    return material_node(std::move(m), context);
+  return node_kind(declare_detail(d), [](M&& m, const Context& context) {
+    SurfaceDetail detail = std::move(m.detail);
+    return material_node(Matte(std::move(m)), std::move(detail), context);
   });
 }
 
 NodeKind metal() {
-  Declaration<MetalParameters> d(
-      {.name = "metal",
-       .doc = "A conductor, from mirror to brushed.",
-       .section = section,
-       .examples = {"metal \"gold\"", "metal { \"gold\", roughness = 0.1 }",
-                    "metal { color = \"#8c2f39\", roughness = 0.3 }"}});
+  using M = Detailed<MetalParameters>;
+  Declaration<M> d({.name = "metal",
+                    .doc = "A conductor, from mirror to brushed.",
+                    .section = section,
+                    .examples = {"metal \"gold\"", "metal { \"gold\", roughness = 0.1 }",
+                                 "metal { color = \"#8c2f39\", roughness = 0.3 }"}});
   d.parameter<MetalIndexReader>(
        "ior", &MetalParameters::index,
        {.doc = fmt::format("A measured metal: {}.", fmt::join(metal_names(), ", ")),
@@ -120,8 +125,8 @@ NodeKind metal() {
                  {.doc = "Imaginary part (extinction) of its refractive index, with 'n'."})
       .parameter<NumberReader>("roughness", &MetalParameters::roughness,
                                {.doc = roughness_doc, .range = schema::unit_interval});
-  return node_kind(std::move(d), [](MetalParameters&& m, const Context& context) {
-    return material_node(to_metal(m, context), context);
+  return node_kind(declare_detail(d), [](M&& m, const Context& context) {
+    return material_node(to_metal(m, context), std::move(m.detail), context);
   });
 }
 
@@ -141,7 +146,7 @@ Glass to_glass(GlassParameters&& g, const Context& context) {
 }
 
 NodeKind glass() {
-  using G = GlassParameters;
+  using G = Detailed<GlassParameters>;
   Declaration<G> d(
       {.name = "glass",
        .doc = "Clear: glass, water, gems.",
@@ -163,8 +168,9 @@ NodeKind glass() {
                   .unit = schema::Unit::length,
                   .range = schema::positive,
                   .default_text = "1"});
-  return node_kind(std::move(d), [](G&& g, const Context& context) {
-    return material_node(to_glass(std::move(g), context), context);
+  return node_kind(declare_relief(d), [](G&& g, const Context& context) {
+    SurfaceDetail detail = std::move(g.detail);
+    return material_node(to_glass(std::move(g), context), std::move(detail), context);
   });
 }
 
@@ -180,7 +186,7 @@ NodeKind emissive() {
                     "emissive { power = 60, color = \"orange\" }"}});
   declare_emission(d, strengths);
   return node_kind(std::move(d), [](EmissionParameters&& e, const Context& context) {
-    return material_node(Emissive{to_emission(e, strengths, context)}, context);
+    return material_node(Emissive{to_emission(e, strengths, context)}, {}, context);
   });
 }
 

@@ -28,32 +28,44 @@ Spectrum normal_reflectance(const ConductorIndex& index) {
   return Spectrum::table(std::move(table));
 }
 
-PreparedMaterial prepare(const bsdf::Matte& matte) {
+/// What a model makes of a material by itself.
+struct Model {
+  Material material;
+  texture::Color albedo;
+  texture::Color pattern = white();
+};
+
+Model prepare(const bsdf::Matte& matte) {
   return {matte, matte.color};
 }
 
-PreparedMaterial prepare(const bsdf::Metal& metal) {
+Model prepare(const bsdf::Metal& metal) {
   const auto* index = std::get_if<ConductorIndex>(&metal.surface);
   return {metal, index != nullptr ? texture::Color(normal_reflectance(*index))
                                   : std::get<texture::Color>(metal.surface)};
 }
 
-PreparedMaterial prepare(const bsdf::Glass& glass) {
+Model prepare(const bsdf::Glass& glass) {
   return {glass, white()};
 }
 
 /// The tint of the light, as bright as a surface can be.
-PreparedMaterial prepare(const description::Emissive& emissive) {
+Model prepare(const description::Emissive& emissive) {
   const Rgb c = rgb_of(emissive.emission.spectrum);
   const float brightest = std::max({c.r, c.g, c.b});
-  if (!(brightest > 0.0f)) return {bsdf::Black{}, Spectrum::constant(0.0f)};
+  if (!(brightest > 0.0f)) return {bsdf::Black{}, texture::Color(Spectrum::constant(0.0f))};
+  if (emissive.pattern.constant() == nullptr) {
+    return {bsdf::Black{}, emissive.pattern, emissive.pattern};
+  }
   return {bsdf::Black{}, shown_as(c * (1.0f / brightest))};
 }
 
 }  // namespace
 
 PreparedMaterial prepare_material(const description::Material& material) {
-  return std::visit([](const auto& model) { return prepare(model); }, material.model);
+  Model model = std::visit([](const auto& kind) { return prepare(kind); }, material.model);
+  return {std::move(model.material), std::move(model.albedo), material.detail,
+          std::move(model.pattern)};
 }
 
 }  // namespace lapidary::scene

@@ -18,6 +18,18 @@ Scene::Scene(Parts parts) : parts_(std::move(parts)) {
   for (std::uint32_t i = 0; i < parts_.lights.size(); ++i) {
     if (light::is_infinite(parts_.lights[i])) infinite_lights_.push_back(i);
   }
+  has_pattern_.resize(parts_.lights.size());
+  const auto note_pattern = [&](std::uint32_t light, const PreparedMaterial& material) {
+    has_pattern_[light] = material.pattern.constant() == nullptr;
+  };
+  for (const Slot& slot : parts_.slots) {
+    if (slot.light != Slot::no_light) note_pattern(slot.light, material(slot));
+  }
+  for (const PlacedLight& placed : parts_.placed_lights) {
+    note_pattern(placed.light, material(parts_.slots[placed.slot]));
+  }
+  has_gaps_ = std::any_of(parts_.materials.begin(), parts_.materials.end(),
+                          [](const PreparedMaterial& m) { return m.detail.has_gaps(); });
 }
 
 const Slot& Scene::slot(const geometry::Hit& hit) const {

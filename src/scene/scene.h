@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bsdf/bsdf.h"
+#include "bsdf/surface_detail.h"
 #include "camera/camera.h"
 #include "geometry/world.h"
 #include "light/light.h"
@@ -24,6 +25,8 @@ using Material = std::variant<bsdf::Matte, bsdf::Metal, bsdf::Glass, bsdf::Black
 struct PreparedMaterial {
   Material material;
   texture::Color albedo;  ///< what it reflects or lets through, for the albedo layer
+  bsdf::SurfaceDetail detail;
+  texture::Color pattern;  ///< of a light source: multiplies what it emits
 };
 
 /// What one part of an object wears: an object has one slot, a mesh with several materials one for
@@ -112,6 +115,10 @@ class Scene {
   const std::vector<light::Light>& lights() const { return parts_.lights; }
   /// Chooses lights for a point; nullptr in a scene without any.
   const light::LightSelector* light_selector() const { return selector_ ? &*selector_ : nullptr; }
+  /// Whether what a light gives differs from place to place of its surface.
+  bool has_pattern(std::uint32_t light) const { return has_pattern_[light]; }
+  /// Whether light passes straight through a surface anywhere.
+  bool has_gaps() const { return has_gaps_; }
   /// The lights that rays which hit nothing meet.
   const std::vector<std::uint32_t>& infinite_lights() const { return infinite_lights_; }
 
@@ -123,6 +130,8 @@ class Scene {
   Parts parts_;
   std::optional<light::LightSelector> selector_;
   std::vector<std::uint32_t> infinite_lights_;
+  std::vector<bool> has_pattern_;  ///< of lights
+  bool has_gaps_ = false;
 };
 
 }  // namespace lapidary::scene

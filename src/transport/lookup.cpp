@@ -37,8 +37,10 @@ Vec2d uv_step(const geometry::SurfaceUv& at, Vec3d step) {
 
 }  // namespace
 
-texture::Lookup lookup_at(const scene::Scene& scene, const Met& met) {
-  const scene::TextureFrame& frame = scene.texture_frame(scene.slot(met.hit).frame);
+SurfaceLookup lookup_at(const scene::Scene& scene, const Met& met) {
+  const std::uint32_t number = scene.slot(met.hit).frame;
+  if (number == scene::Slot::no_frame) return {};
+  const scene::TextureFrame& frame = scene.texture_frame(number);
   const Footprint world = footprint(met);
   const geometry::SurfaceUv at = scene.world().surface_uv(met.hit, met.surface);
   Vec3d p = met.surface.p, n = met.surface.geometric_normal;
@@ -59,7 +61,7 @@ texture::Lookup lookup_at(const scene::Scene& scene, const Met& met) {
   lookup.uv = at.uv;
   lookup.duvdx = uv_step(at, world.across);
   lookup.duvdy = uv_step(at, world.along);
-  return lookup;
+  return {lookup, world.across, world.along, at.dpdu, at.dpdv};
 }
 
 }  // namespace lapidary::transport

@@ -13,7 +13,14 @@ struct Met {
   double width = 0;  ///< of the path's cone there
 };
 
-/// Where the textures that a surface wears are to be looked up. Precondition: its slot has a frame.
-texture::Lookup lookup_at(const scene::Scene& scene, const Met& met);
+/// Where the textures that a surface wears are to be looked up, and how that lies in the world.
+struct SurfaceLookup {
+  texture::Lookup at;
+  Vec3d dpdx, dpdy;  ///< of `at`, in the world
+  Vec3d dpdu, dpdv;  ///< in the world
+};
+
+/// Nothing is looked up where the slot of what was met has no frame.
+SurfaceLookup lookup_at(const scene::Scene& scene, const Met& met);
 
 }  // namespace lapidary::transport

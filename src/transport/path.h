@@ -1,10 +1,6 @@
 #pragma once
 
-#include "geometry/ray.h"
-#include "sampling/sobol.h"
-#include "scene/scene.h"
-#include "spectrum/wavelengths.h"
-#include "transport/first_surface.h"
+#include "transport/next_event.h"
 
 namespace lapidary::transport {
 
@@ -18,14 +14,6 @@ enum class Interreflection {
 struct PathSettings {
   int max_depth = 16;  ///< scattering events on a path, >= 0; 0 shows only the lights themselves
   Interreflection interreflection = Interreflection::full;
-};
-
-/// What all samples of one pixel in one pass share.
-struct SampleContext {
-  const Wavelengths& wavelengths;
-  const PixelSampler& points;  ///< block 0 is the camera's, block 1 + n the n-th vertex's
-  Counters& counters;
-  camera::Cone cone;  ///< of the camera's ray
 };
 
 /// Unidirectional spectral path tracing: next-event estimation and BSDF sampling, combined by the
@@ -45,7 +33,7 @@ class PathTracer {
  private:
   const scene::Scene& scene_;
   PathSettings settings_;
-  double light_margin_;  ///< before a light of triangles, where shadow rays end; scene units
+  NextEvent next_event_;
 };
 
 }  // namespace lapidary::transport

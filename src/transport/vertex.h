@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "bsdf/bsdf.h"
@@ -38,6 +39,19 @@ inline bool sides_agree(const Vertex& vertex, Vec3d wi_world, Vec3d wi_local) {
   const Vec3d n = vertex.surface.geometric_normal;
   const bool crosses = (dot(wi_world, n) > 0.0) != (dot(vertex.frame.to_world(vertex.wo), n) > 0.0);
   return crosses != same_side_as_wo;
+}
+
+/// By how much less light comes back from `wi` than the BSDF says, where the shading normal is not
+/// the geometric one: the light's edge of a smooth or rough surface fades instead of breaking off
+/// where the geometric normal turns away. 1 for light that passes through.
+/// Source: Chiang, Li & Burley 2019, "Taming the Shadow Terminator", section 3.
+inline double terminator_share(const Vertex& vertex, Vec3d wi_world, Vec3d wi_local) {
+  if ((wi_local.z > 0.0) != (vertex.wo.z > 0.0)) return 1.0;
+  const Vec3d ns = vertex.frame.normal, ng = vertex.surface.geometric_normal;
+  const double agreement = std::abs(dot(ns, ng));
+  if (agreement > 1.0 - 1e-9) return 1.0;
+  const double g = std::abs(dot(wi_world, ng)) / (std::abs(wi_local.z) * agreement);
+  return g < 1.0 ? g * (1.0 + g * (1.0 - g)) : 1.0;
 }
 
 }  // namespace lapidary::transport

@@ -87,7 +87,7 @@ TEST(Build, RefusesCombinedLightsWithoutBounds) {
 
 TEST(Build, WarnsOfLightThatIsCutAway) {
   const auto radiant = lamp(1.0);
-  const auto power = material(description::Emissive{{description::Quantity::power, grey(1.0)}});
+  const auto power = lamp(description::Quantity::power, 1.0);
   for (const auto& light : {radiant, power}) {
     // Boxes that do not meet; a ball that is inside of what it is united with.
     for (const auto& object : {subtract(ball(), at(5, ball(light))),
@@ -178,8 +178,9 @@ TEST(Build, GivesThePartsOfAMeshTheirMaterials) {
   // Indices beyond the list wear the object's own, too.
   mesh.materials = {};
   const Scene plain = TinyScene().add(mesh, matte(0.6)).build();
-  EXPECT_NEAR(plain.material(slot_along(plain, ray({0.5, -0.5, 1}, {0, 0, -1}))).albedo.g, 0.6,
-              1e-4);
+  EXPECT_NEAR(
+      plain.material(slot_along(plain, ray({0.5, -0.5, 1}, {0, 0, -1}))).albedo.rgb_at({}).g, 0.6,
+      1e-4);
 }
 
 // Groups place, name and dress their members.
@@ -194,8 +195,8 @@ TEST(Build, WalksIntoGroups) {
   EXPECT_EQ(scene.counts().objects, 4u);
   const Slot& first = slot_along(scene, ray({0, 9, 5}, {0, 0, -1}));
   const Slot& second = slot_along(scene, ray({3, 9, 5}, {0, 0, -1}));
-  EXPECT_NEAR(scene.material(first).albedo.r, 0.7, 1e-4);
-  EXPECT_NEAR(scene.material(second).albedo.r, 0.2, 1e-4);
+  EXPECT_NEAR(scene.material(first).albedo.rgb_at({}).r, 0.7, 1e-4);
+  EXPECT_NEAR(scene.material(second).albedo.rgb_at({}).r, 0.2, 1e-4);
   EXPECT_EQ(scene.object(first.object).name, "pair");
 }
 

@@ -18,8 +18,9 @@ inline Spectrum grey(double value) {
 }
 
 inline description::MaterialPtr material(auto model) {
-  return std::make_shared<const description::Material>(
-      description::Material{std::move(model), "", {}});
+  auto made = std::make_shared<description::Material>();
+  made->model = std::move(model);
+  return made;
 }
 inline description::MaterialPtr matte(double albedo) {
   return material(description::Matte{grey(albedo)});
@@ -33,9 +34,15 @@ inline description::MaterialPtr glass(double index, double roughness = 0.0) {
 inline description::MaterialPtr glass(std::string_view name, double roughness = 0.0) {
   return material(description::Glass{find_glass(name).value(), roughness});
 }
-/// A light source of this radiance [W/(m2 sr nm)] at every wavelength.
+/// A light source of this strength at every wavelength.
+inline description::MaterialPtr lamp(description::Quantity quantity, double strength) {
+  description::Emissive emissive;
+  emissive.emission = {quantity, grey(strength)};
+  return material(emissive);
+}
+/// The same, by its radiance [W/(m2 sr nm)].
 inline description::MaterialPtr lamp(double radiance) {
-  return material(description::Emissive{{description::Quantity::radiance, grey(radiance)}});
+  return lamp(description::Quantity::radiance, radiance);
 }
 
 /// A scene of a few objects, described as the scene language would.

@@ -44,7 +44,7 @@ Vec3d refracted_twice(const scene::Scene& scene, geometry::Ray r, const Waveleng
     const medium::Medium &before = scene.medium(enters ? 0 : inside),
                          &after = scene.medium(enters ? inside : 0);
     const transport::Vertex vertex = transport::make_vertex(
-        {scene.material(scene.slot(hit)), surface, r.direction, before, after}, wavelengths,
+        {scene.material(scene.slot(hit)), surface, {}, r.direction, before, after}, wavelengths,
         carried);
     const auto sample =
         bsdf::sample(vertex.bsdf, vertex.wo, 0.999, {0.5, 0.5}, bsdf::Mode::radiance);
