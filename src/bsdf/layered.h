@@ -33,6 +33,7 @@ class Layered {
 
   Traits traits() const;
   bool is_specular() const;
+  bool is_transparent() const { return base_traits_.transparent; }
   /// `Traits::spread` of light towards `mu`.
   double spread(double mu) const;
 
