@@ -70,6 +70,37 @@ def rows_of_scene(build, scene):
     yield f"{scene.group}.peak_rss", stats["peak_rss_bytes"] / 1e6, "MB", scene.peak_mb
 
 
+def rows_of_lights(build):
+    """The error of choosing one of 10,000 lamps by a hierarchy and by power, at equal processor
+    time, against a picture of many more samples."""
+    scene = Scene("lights", "bench/scenes/many_lights.lua", (), "-")
+    samples = 16
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+
+        def picture(name, choice, samples, seed):
+            options = ("--samples", str(samples), "--seed", str(seed),
+                       "--render", f"light_choice={choice}")
+            stats = render(build, dataclasses.replace(scene, options=options), folder)
+            (folder / "out.exr").rename(folder / name)
+            return stats["render_cpu_seconds"]
+
+        def error(name):
+            text = subprocess.run([build / "lapidary", "compare", folder / name,
+                                   folder / "reference.exr"], check=True, stdout=subprocess.PIPE,
+                                  text=True).stdout
+            return float(text.split()[1])
+
+        by_tree = picture("tree.exr", "tree", samples, 1)
+        by_power = picture("power.exr", "power", samples, 1)
+        picture("power.exr", "power", max(1, round(samples * by_tree / by_power)), 1)
+        picture("reference.exr", "tree", 24 * samples, 2)
+        hierarchy, power = error("tree.exr"), error("power.exr")
+    yield "lights.10000.relmse_hierarchy", hierarchy, "rel", "-"
+    yield "lights.10000.relmse_power", power, "rel", "-"
+    yield "lights.10000.error_ratio", power / hierarchy, "x", ">=5"
+
+
 def rows_of_command_line(build):
     def start():
         begin = time.perf_counter()
@@ -126,6 +157,8 @@ def measure(build, wanted):
     for scene in SCENES:
         if wanted in (None, scene.group):
             yield from rows_of_scene(build, scene)
+    if wanted in (None, "lights"):
+        yield from rows_of_lights(build)
     if wanted in (None, "cli"):
         yield from rows_of_command_line(build)
 

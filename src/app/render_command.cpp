@@ -150,7 +150,8 @@ ExitCode run(const RenderCommand& command) {
   render::check_size(statistics.size);
   statistics.seconds.load = clock.lap();
 
-  const scene::Scene scene = scene::build(description, {statistics.size, pool, warnings});
+  const scene::Scene scene =
+      scene::build(description, {statistics.size, pool, warnings, description.render.light_choice});
   inspect::warn_about_averted_lights(description, warnings);
   inspect::warn_about_empty_solids(description, scene, warnings);
   inspect::warn_about_buried_camera(description, scene, warnings);

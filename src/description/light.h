@@ -18,6 +18,16 @@ struct PointLight {
   Emission emission{Quantity::power};  ///< power or intensity
 };
 
+/// Light from one place as a luminaire was measured to give it.
+struct ProfileLight {
+  std::filesystem::path file;  ///< by ANSI/IES LM-63
+  Vec3d position;
+  Vec3d axis{0, 0, -1};  ///< of the file's vertical angle 0; not zero
+  Vec3d up{0, 1, 0};     ///< towards its horizontal angle 0; not along the axis
+  /// The power of all of it, or the intensity where the file says one candela.
+  Emission emission{Quantity::intensity};
+};
+
 /// Light from one place within a cone.
 struct SpotLight {
   Vec3d from{0, 0, 1};
@@ -48,8 +58,20 @@ struct ImageEnvironment {
   double rotate = 0;  ///< degrees about z, counter-clockwise from above
 };
 
+/// The sky of a clear day with its sun.
+struct Sky {
+  enum class Sun { shines, left_out };
+  Vec3d to_sun{0, 0, 1};   ///< of any length but zero; at most 10 degrees below the horizon
+  double turbidity = 2.5;  ///< 1 to 10
+  double ground_albedo = 0.2;
+  Sun sun = Sun::shines;
+  double scale = 1;  ///< multiplies all light
+};
+
 struct Light {
-  std::variant<PointLight, SpotLight, DistantLight, ConstantEnvironment, ImageEnvironment> model;
+  std::variant<PointLight, ProfileLight, SpotLight, DistantLight, ConstantEnvironment,
+               ImageEnvironment, Sky>
+      model;
   schema::CallSite where;
 };
 

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include "description/emission_parameters.h"
+#include "description/light_node.h"
 #include "description/nodes.h"
 #include "description/object_node.h"
 #include "description/sheets.h"
@@ -15,7 +18,7 @@ using schema::Node;
 using schema::NodeKind;
 using schema::Unit;
 
-constexpr auto section = "lights";
+constexpr auto section = light_section;
 
 /// A light with a surface: a shape T that gives light.
 template <typename T>
@@ -27,9 +30,11 @@ struct MeshLightParameters {
   ObjectPtr shape;
 };
 
-constexpr auto surface_strengths = {Quantity::power, Quantity::radiance};
-constexpr auto point_strengths = {Quantity::power, Quantity::intensity};
-constexpr auto distant_strengths = {Quantity::irradiance};
+constexpr auto surface_strengths = {Strength::power, Strength::radiance, Strength::lumens,
+                                    Strength::nits};
+constexpr auto point_strengths = {Strength::power, Strength::intensity, Strength::lumens,
+                                  Strength::candela};
+constexpr auto distant_strengths = {Strength::irradiance, Strength::lux};
 
 template <typename T>
 Declaration<LightOf<T>>& declare_surface_light(Declaration<LightOf<T>>& d) {
@@ -53,18 +58,13 @@ Node surface_light(Content content, LightOf<T>&& light, const Context& context) 
   return object_node(std::move(content), std::move(common), context);
 }
 
-template <typename Model>
-Node light_node(Model model, const Context& context) {
-  auto light = std::make_shared<Light>(Light{std::move(model), context.call().where});
-  return Node::of<Light>(context.call().node, std::move(light), sizeof(Light));
-}
-
 NodeKind sphere_light() {
   Declaration<LightOf<Sphere>> d(
       {.name = "sphere_light",
        .doc = "A glowing ball.",
        .section = section,
-       .examples = {"sphere_light { center = { 0, 0, 4 }, radius = 0.5, power = 300 }"}});
+       .examples = {"sphere_light { center = { 0, 0, 4 }, radius = 0.5, power = 300 }",
+                    "sphere_light { radius = 0.03, lumens = 806, temperature = 2700 }"}});
   d.parameter("center", &Sphere::center, {.doc = "Its centre.", .unit = Unit::length})
       .parameter("radius", &Sphere::radius,
                  {.doc = "Distance from the centre to the surface.",
@@ -123,18 +123,59 @@ NodeKind mesh_light() {
 
 struct PointParameters : EmissionParameters {
   Vec3d position;
+  std::optional<schema::InputFile> profile;
+  std::optional<Vec3d> at, up;
 };
+
+/// What a profile's horizontal angle 0 is turned to when nothing is said.
+Vec3d usual_up(Vec3d axis) {
+  const bool along_y = length(cross(axis, Vec3d(0, 1, 0))) < 1e-6 * length(axis);
+  return along_y ? Vec3d(0, 0, 1) : Vec3d(0, 1, 0);
+}
+
+ProfileLight profile_light(const PointParameters& p, const Context& context) {
+  if (p.intensity || p.candela) {
+    context.fail(fmt::format("has its {} from the profile", p.candela ? "candela" : "intensity"),
+                 "leave it out, or state 'lumens' or 'power' to scale the profile to that");
+  }
+  ProfileLight light{.file = p.profile->path, .position = p.position};
+  if (p.at) light.axis = *p.at - p.position;
+  if (length(light.axis) == 0.0) context.at("at").fail("must differ from 'position'");
+  light.up = p.up.value_or(usual_up(light.axis));
+  if (!(length(cross(light.axis, light.up)) > 1e-9 * length(light.axis) * length(light.up))) {
+    context.at("up").fail("must not be along the way from 'position' to 'at'");
+  }
+  const auto stated = to_stated_emission(p, {Strength::power, Strength::lumens}, context);
+  light.emission = stated ? *stated : Emission{Quantity::intensity, one_candela(p, context)};
+  return light;
+}
 
 NodeKind point_light() {
   Declaration<PointParameters> d(
       {.name = "point_light",
-       .doc = "Light from one point, all around.",
+       .doc = "Light from one point: all around alike, or as a luminaire was measured.",
        .section = section,
-       .examples = {"point_light { position = { 0, -2, 4 }, power = 300 }"}});
-  d.parameter("position", &PointParameters::position,
-              {.doc = "Where it is.", .unit = Unit::length});
+       .examples = {"point_light { position = { 0, -2, 4 }, power = 300 }",
+                    "point_light { position = { 0, 0, 3 }, profile = \"lamp.ies\" }"}});
+  d.parameter("position", &PointParameters::position, {.doc = "Where it is.", .unit = Unit::length})
+      .parameter("profile", &PointParameters::profile,
+                 {.doc = "An IES file (LM-63, photometry type C) with the candela in every "
+                         "direction; 'power' or 'lumens' scale them to that sum, and no strength "
+                         "leaves them as they are."})
+      .parameter("at", &PointParameters::at,
+                 {.doc = "A point that the axis of the profile points at; straight down when left "
+                         "out.",
+                  .unit = Unit::length})
+      .parameter("up", &PointParameters::up,
+                 {.doc = "Turns the profile about its axis: where its horizontal angle 0 points, "
+                         "as far as the axis lets it; {0, 1, 0} when left out."});
   return node_kind(declare_emission(d, point_strengths), [](PointParameters&& p,
                                                             const Context& context) {
+    if (p.profile) return light_node(profile_light(p, context), context);
+    if (p.at || p.up) {
+      context.at(p.at ? "at" : "up")
+          .fail("aims a profile, and there is none", "give a 'profile', or use spot_light");
+    }
     return light_node(PointLight{p.position, to_emission(p, point_strengths, context)}, context);
   });
 }
@@ -202,39 +243,6 @@ NodeKind distant_light() {
                    });
 }
 
-struct EnvironmentParameters {
-  std::optional<schema::InputFile> file;
-  std::optional<Spectrum> color;
-  double scale = 1;
-  double rotate = 0;
-};
-
-NodeKind environment() {
-  Declaration<EnvironmentParameters> d(
-      {.name = "environment",
-       .doc = "Light from all around: a picture, or one color.",
-       .section = section,
-       .examples = {"environment \"sky.hdr\"", "environment { color = { 0.3, 0.4, 0.6 } }"}});
-  d.parameter("file", &EnvironmentParameters::file,
-              {.doc = "A picture of everything around, twice as wide as high; its top is +z, its "
-                      "middle +y.",
-               .shorthand = schema::Shorthand::yes})
-      .parameter<Optional<LightReader>>("color", &EnvironmentParameters::color,
-                                        {.doc = "The radiance everywhere, instead of 'file'; 1 "
-                                                "when both are left out.",
-                                         .unit = Unit::radiance})
-      .parameter("scale", &EnvironmentParameters::scale,
-                 {.doc = "Multiplies the light.", .range = schema::non_negative})
-      .parameter("rotate", &EnvironmentParameters::rotate,
-                 {.doc = "Turns the picture about z.", .unit = Unit::degrees});
-  return node_kind(std::move(d), [](EnvironmentParameters&& e, const Context& context) {
-    if (e.file && e.color) context.fail("takes either 'file' or 'color', not both");
-    if (e.file) return light_node(ImageEnvironment{e.file->path, e.scale, e.rotate}, context);
-    const Spectrum color = e.color.value_or(Spectrum::illuminant({1, 1, 1}));
-    return light_node(ConstantEnvironment{color.scaled(static_cast<float>(e.scale))}, context);
-  });
-}
-
 }  // namespace
 
 std::vector<NodeKind> light_kinds() {
@@ -247,8 +255,7 @@ std::vector<NodeKind> light_kinds() {
           spot_light(),
           distant,
           alias(distant, "sun", "Another name for distant_light.",
-                {"sun { from = { -2, -3, 4 }, angle = 0.53, irradiance = 3 }"}),
-          environment()};
+                {"sun { from = { -2, -3, 4 }, angle = 0.53, irradiance = 3 }"})};
 }
 
 }  // namespace lapidary::description

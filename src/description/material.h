@@ -48,9 +48,12 @@ struct Principled : bsdf::Principled {
 /// Gives light and reflects none. Light leaves the outside of solids and the front of sheets and
 /// meshes. Every object that wears it has the stated power of its own.
 struct Emissive {
-  Emission emission;  ///< radiance or power
-  /// Multiplies it over the surface.
-  texture::Color pattern = Spectrum::constant(1.0f);
+  Emission emission;       ///< radiance or power
+  texture::Color pattern;  ///< multiplies it over the surface
+
+  // No aggregate: GCC 12 sees members of half-made ones destroyed before they are made.
+  Emissive(Emission e = {}, texture::Color p = Spectrum::constant(1.0f))  // NOLINT
+      : emission(std::move(e)), pattern(std::move(p)) {}
 };
 
 struct Material {

@@ -149,12 +149,14 @@ NodeKind glass() {
 }
 
 NodeKind emissive() {
-  static constexpr auto strengths = {Quantity::radiance, Quantity::power};
+  static constexpr auto strengths = {Strength::radiance, Strength::power, Strength::nits,
+                                     Strength::lumens};
   Declaration<EmissionParameters> d(
       {.name = "emissive",
-       .doc = "Gives light: from the outside of solids, from the front of sheets and meshes. A "
-              "combination gives it from where its operands that wear this are seen, cut faces "
-              "included; 'power' is spread over that area, which is measured to 0.1 %.",
+       .doc =
+           "Gives light: from the outside of solids, from the front of sheets and meshes. A "
+           "combination gives it from where its operands that wear this are seen, cut faces "
+           "included; 'power' and 'lumens' are spread over that area, which is measured to 0.1 %.",
        .section = materials_section,
        .examples = {"emissive { radiance = 3, temperature = 2700 }",
                     "emissive { power = 60, color = \"orange\" }"}});

@@ -23,6 +23,7 @@ std::vector<schema::NodeKind> composite_material_kinds();
 std::vector<schema::NodeKind> texture_kinds();
 std::vector<schema::NodeKind> spectrum_kinds();
 std::vector<schema::NodeKind> light_kinds();
+std::vector<schema::NodeKind> environment_kinds();
 std::vector<schema::NodeKind> camera_kinds();
 std::vector<schema::NodeKind> settings_kinds();
 schema::NodeKind principled_kind();

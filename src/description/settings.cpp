@@ -13,6 +13,7 @@ namespace lapidary::schema {
 
 using description::FilterKind;
 using description::Integrator;
+using description::LightChoice;
 using description::PictureSize;
 using description::ToneCurve;
 
@@ -26,6 +27,12 @@ template <>
 struct EnumNames<Integrator> {
   static constexpr std::array<std::pair<std::string_view, Integrator>, 2> names{
       {{"path", Integrator::path}, {"direct", Integrator::direct}}};
+};
+
+template <>
+struct EnumNames<LightChoice> {
+  static constexpr std::array<std::pair<std::string_view, LightChoice>, 2> names{
+      {{"tree", LightChoice::tree}, {"power", LightChoice::power}}};
 };
 
 template <>
@@ -123,6 +130,9 @@ Declaration<RenderSettings> declare_render() {
                  {.doc = "Most scattering events of a path.", .range = {.min = 1, .max = 65535}})
       .parameter<CausticsReader>("caustics", &R::caustics,
                                  {.doc = "Who renders light focused by glass and mirrors."})
+      .parameter("light_choice", &R::light_choice,
+                 {.doc = "What the light for a point is chosen by: \"tree\" looks at where the "
+                         "lights are and which way they shine, \"power\" does not."})
       .parameter("filter", [](R& r) -> FilterKind& { return r.filter.kind; },
                  {.doc = "How samples spread over pixels."})
       .parameter("filter_radius", [](R& r) -> std::optional<double>& { return r.filter.radius; },

@@ -22,6 +22,12 @@ struct PictureSize {
 
 enum class Integrator { path, direct };
 
+/// What next-event estimation chooses one of many lights by.
+enum class LightChoice {
+  tree,   ///< how much each could light the point
+  power,  ///< power alone
+};
+
 /// Who renders light focused by glass and mirrors.
 enum class Caustics { paths };
 
@@ -43,6 +49,7 @@ struct RenderSettings {
   Integrator integrator = Integrator::path;
   int max_depth = 16;  ///< scattering events of a path
   Caustics caustics = Caustics::paths;
+  LightChoice light_choice = LightChoice::tree;
   FilterSettings filter;
   std::uint64_t seed = 0;
 };

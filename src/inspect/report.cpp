@@ -30,10 +30,12 @@ class Closures {
 /// As scenes call them.
 struct KindOfLight {
   std::string operator()(const description::PointLight&) const { return "point_light"; }
+  std::string operator()(const description::ProfileLight&) const { return "point_light"; }
   std::string operator()(const description::SpotLight&) const { return "spot_light"; }
   std::string operator()(const description::DistantLight&) const { return "distant_light"; }
   std::string operator()(const description::ConstantEnvironment&) const { return "environment"; }
   std::string operator()(const description::ImageEnvironment&) const { return "environment"; }
+  std::string operator()(const description::Sky&) const { return "sky"; }
 };
 
 ObjectReport report_on(const description::Leaf& leaf, Closures& closures) {

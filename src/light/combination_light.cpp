@@ -56,11 +56,11 @@ double CombinationLight::power(double) const {
 Influence CombinationLight::influence() const {
   Box3d box = surface_->bounds();
   if (place_.own) box = place_.own->world_from_own().box(box);
-  return {Influence::Reach::around,
-          power(0) / (4.0 * pi),
-          box.center(),
-          {},
-          0.25 * length_squared(box.extent())};
+  return {.reach = Influence::Reach::around,
+          .strength = power(0) / (4.0 * pi),
+          .center = box.center(),
+          .radius_squared = 0.25 * length_squared(box.extent()),
+          .box = box};
 }
 
 }  // namespace lapidary::light

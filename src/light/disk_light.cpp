@@ -1,5 +1,6 @@
 #include "light/disk_light.h"
 
+#include <cmath>
 #include <utility>
 
 #include "light/area_sample.h"
@@ -39,8 +40,15 @@ double DiskLight::power(double) const {
 }
 
 Influence DiskLight::influence() const {
-  return {Influence::Reach::in_front, power(0) * inv_pi, center_, normal_,
-          length_squared(radius_x_)};
+  const Vec3d r(std::hypot(radius_x_.x, radius_y_.x), std::hypot(radius_x_.y, radius_y_.y),
+                std::hypot(radius_x_.z, radius_y_.z));
+  return {.reach = Influence::Reach::in_front,
+          .strength = power(0) * inv_pi,
+          .center = center_,
+          .front = normal_,
+          .radius_squared = length_squared(radius_x_),
+          .box = {center_ - r, center_ + r},
+          .normal_cosine = 1.0};
 }
 
 }  // namespace lapidary::light

@@ -46,7 +46,7 @@ double DistantLight::power(double scene_radius) const {
 }
 
 Influence DistantLight::influence() const {
-  return {Influence::Reach::everywhere, irradiance_.integral(), {}, {}, 0.0};
+  return {.reach = Influence::Reach::everywhere, .strength = irradiance_.integral()};
 }
 
 }  // namespace lapidary::light

@@ -42,7 +42,7 @@ double ConstantEnvironment::power(double scene_radius) const {
 }
 
 Influence ConstantEnvironment::influence() const {
-  return {Influence::Reach::everywhere, pi * radiance.integral(), {}, {}, 0.0};
+  return {.reach = Influence::Reach::everywhere, .strength = pi * radiance.integral()};
 }
 
 // Places on the picture are fractions of its width and height. Cells are as wide as a pixel, and
@@ -186,7 +186,7 @@ double ImageEnvironment::power(double scene_radius) const {
 
 Influence ImageEnvironment::influence() const {
   // As if the picture's mean came from all around.
-  return {Influence::Reach::everywhere, 0.25 * tables_->power_per_area, {}, {}, 0.0};
+  return {.reach = Influence::Reach::everywhere, .strength = 0.25 * tables_->power_per_area};
 }
 
 }  // namespace lapidary::light

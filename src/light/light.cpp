@@ -29,6 +29,7 @@ Influence influence(const Light& light) {
 bool is_delta(const Light& light) {
   const auto* distant = std::get_if<DistantLight>(&light);
   return std::holds_alternative<PointLight>(light) || std::holds_alternative<SpotLight>(light) ||
+         std::holds_alternative<ProfileLight>(light) ||
          (distant && distant->extent() == Extent::delta);
 }
 

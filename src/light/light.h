@@ -11,6 +11,7 @@
 #include "light/influence.h"
 #include "light/mesh_light.h"
 #include "light/point_light.h"
+#include "light/profile_light.h"
 #include "light/rectangle_light.h"
 #include "light/solid_light.h"
 #include "light/sphere_light.h"
@@ -20,9 +21,9 @@
 /// Solids shine outward, sheets and triangles to their front.
 namespace lapidary::light {
 
-using Light =
-    std::variant<SphereLight, RectangleLight, DiskLight, MeshLight, SolidLight, CombinationLight,
-                 PointLight, SpotLight, DistantLight, ConstantEnvironment, ImageEnvironment>;
+using Light = std::variant<SphereLight, RectangleLight, DiskLight, MeshLight, SolidLight,
+                           CombinationLight, PointLight, SpotLight, ProfileLight, DistantLight,
+                           ConstantEnvironment, ImageEnvironment>;
 
 /// A direction from `p` towards the light with the light that comes from there, drawn with density
 /// `pdf_illumination`. Nothing when the light cannot reach `p` or the drawn point turns its back to

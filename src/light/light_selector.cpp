@@ -1,57 +1,53 @@
 #include "light/light_selector.h"
 
-#include <algorithm>
+#include <vector>
 
 namespace lapidary::light {
 namespace {
 
-std::vector<double> powers(std::span<const Light> lights, double scene_radius) {
-  std::vector<double> all;
-  all.reserve(lights.size());
-  for (const Light& light : lights) all.push_back(power(light, scene_radius));
-  return all;
+template <typename Method>
+Choice choose_by(const Method& method, const LitPoint& to, double u) {
+  return method.choose(to, u);
+}
+Choice choose_by(const DiscreteDistribution& by_power, const LitPoint&, double u) {
+  const auto sample = by_power.sample(u);
+  return {sample.index, sample.probability, sample.remainder};
+}
+
+template <typename Method>
+double probability_by(const Method& method, const LitPoint& to, std::size_t index) {
+  return method.probability(to, index);
+}
+double probability_by(const DiscreteDistribution& by_power, const LitPoint&, std::size_t index) {
+  return by_power.probability(index);
 }
 
 }  // namespace
 
-LightSelector::LightSelector(std::span<const Light> lights, double scene_radius)
-    : by_power_(powers(lights, scene_radius)) {
-  if (lights.size() > few) return;
-  for (const Light& light : lights) influences_.push_back(influence(light));
-}
-
-double LightSelector::weigh(Vec3d p, Weights& weights) const {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < influences_.size(); ++i) sum += weights[i] = influences_[i].at(p);
-  return sum;
-}
-
-LightSelector::Choice LightSelector::choose(Vec3d p, double u) const {
-  if (influences_.size() == 1) return {0, 1.0, u};
-  if (influences_.empty()) {
-    const auto sample = by_power_.sample(u);
-    return {sample.index, sample.probability, sample.remainder};
+LightSelector::Method LightSelector::method(std::span<const Light> lights, double scene_radius,
+                                            ChoiceRule rule) {
+  if (rule == ChoiceRule::power) {
+    std::vector<double> powers;
+    powers.reserve(lights.size());
+    for (const Light& light : lights) powers.push_back(power(light, scene_radius));
+    return DiscreteDistribution(powers);
   }
-  Weights weights;
-  const double sum = weigh(p, weights);
-  if (!(sum > 0.0)) return {};
-  double rest = u * sum;
-  std::size_t chosen = 0;
-  for (std::size_t i = 0; i < influences_.size(); ++i) {
-    if (weights[i] == 0.0) continue;
-    chosen = i;
-    if (rest < weights[i]) break;
-    rest -= weights[i];
-  }
-  return {chosen, weights[chosen] / sum, std::min(rest / weights[chosen], 1.0 - 0x1p-53)};
+  std::vector<Influence> influences;
+  influences.reserve(lights.size());
+  for (const Light& light : lights) influences.push_back(influence(light));
+  if (lights.size() <= FewLights::most) return FewLights(influences);
+  return ManyLights(influences);
 }
 
-double LightSelector::probability(Vec3d p, std::size_t index) const {
-  if (influences_.size() == 1) return 1.0;
-  if (influences_.empty()) return by_power_.probability(index);
-  Weights weights;
-  const double sum = weigh(p, weights);
-  return sum > 0.0 ? weights[index] / sum : 0.0;
+LightSelector::LightSelector(std::span<const Light> lights, double scene_radius, ChoiceRule rule)
+    : method_(method(lights, scene_radius, rule)) {}
+
+Choice LightSelector::choose(const LitPoint& to, double u) const {
+  return std::visit([&](const auto& m) { return choose_by(m, to, u); }, method_);
+}
+
+double LightSelector::probability(const LitPoint& to, std::size_t index) const {
+  return std::visit([&](const auto& m) { return probability_by(m, to, index); }, method_);
 }
 
 }  // namespace lapidary::light

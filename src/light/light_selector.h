@@ -1,43 +1,39 @@
 #pragma once
 
-#include <array>
 #include <span>
-#include <vector>
+#include <variant>
 
-#include "light/influence.h"
+#include "light/choice.h"
+#include "light/few_lights.h"
 #include "light/light.h"
+#include "light/many_lights.h"
 #include "sampling/distribution.h"
 
 namespace lapidary::light {
 
-/// Chooses one of several lights: of a few, in proportion to how much each could light the point;
-/// of many, in proportion to power, wherever they are seen from.
+/// What a choice among lights goes by.
+enum class ChoiceRule {
+  influence,  ///< how much each could light the point: of a few one by one, of many by a hierarchy
+  power,      ///< power alone, wherever they are seen from
+};
+
+/// Chooses one of several lights.
 class LightSelector {
  public:
-  struct Choice {
-    std::size_t index = 0;
-    double probability = 0;
-    double remainder = 0;  ///< what is left of the number: serves as `LightNumbers::part`
-  };
-
-  /// At most so many lights are looked at one by one.
-  static constexpr std::size_t few = 16;
-
   /// At least one light; `scene_radius` as for `power`.
-  LightSelector(std::span<const Light> lights, double scene_radius);
+  LightSelector(std::span<const Light> lights, double scene_radius,
+                ChoiceRule rule = ChoiceRule::influence);
 
-  /// `u` in [0, 1). A probability of 0 says that no light reaches `p`.
-  Choice choose(Vec3d p, double u) const;
-  /// That `choose` picks light `index` for `p`.
-  double probability(Vec3d p, std::size_t index) const;
+  /// `u` in [0, 1). A probability of 0 says that no light reaches the point, as far as was looked.
+  Choice choose(const LitPoint& to, double u) const;
+  /// That `choose` picks light `index`: to the bit that of the choice.
+  double probability(const LitPoint& to, std::size_t index) const;
 
  private:
-  using Weights = std::array<double, few>;
-  /// Of the few lights; returns their sum.
-  double weigh(Vec3d p, Weights& weights) const;
+  using Method = std::variant<FewLights, ManyLights, DiscreteDistribution>;
+  static Method method(std::span<const Light> lights, double scene_radius, ChoiceRule rule);
 
-  std::vector<Influence> influences_;  ///< of few lights; none of many
-  DiscreteDistribution by_power_;
+  Method method_;
 };
 
 }  // namespace lapidary::light

@@ -1,5 +1,6 @@
 #include "light/mesh_light.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -39,6 +40,18 @@ MeshLight::MeshLight(const geometry::TriangleMesh& mesh, std::span<const std::ui
   if (areas.empty()) return;
   by_area_.emplace(areas);
   area_ = by_area_->total();
+  normals_ = cone_of_normals();
+}
+
+MeshLight::Normals MeshLight::cone_of_normals() const {
+  Vec3d sum;
+  for (const Triangle& t : triangles_) sum += cross(t.edge1, t.edge2);
+  if (!(length(sum) > 0.0)) return {};  // closed, or nearly so
+  Normals all{normalize(sum), 1.0};
+  for (const Triangle& t : triangles_) {
+    all.cosine = std::min(all.cosine, dot(all.axis, normalize(cross(t.edge1, t.edge2))));
+  }
+  return all;
 }
 
 std::optional<LightSample> MeshLight::sample_illumination(Vec3d p, const LightNumbers& numbers,
@@ -65,11 +78,13 @@ double MeshLight::power(double) const {
 }
 
 Influence MeshLight::influence() const {
-  return {Influence::Reach::around,
-          power(0) / (4.0 * pi),
-          bounds_.center(),
-          {},
-          0.25 * length_squared(bounds_.extent())};
+  return {.reach = Influence::Reach::around,
+          .strength = power(0) / (4.0 * pi),
+          .center = bounds_.center(),
+          .front = normals_.axis,
+          .radius_squared = 0.25 * length_squared(bounds_.extent()),
+          .box = bounds_,
+          .normal_cosine = normals_.cosine};
 }
 
 }  // namespace lapidary::light

@@ -36,10 +36,18 @@ class MeshLight {
     Vec3d edge1, edge2;  // cross(edge1, edge2) points to the front
   };
 
+  /// What holds all normals, for `influence`.
+  struct Normals {
+    Vec3d axis;
+    double cosine = -1;  ///< of the angle that none is further from the axis than
+  };
+  Normals cone_of_normals() const;
+
   std::vector<Triangle> triangles_;
   std::optional<DiscreteDistribution> by_area_;  // none without area
   double area_ = 0;
   Box3d bounds_;
+  Normals normals_;
   Spectrum radiance_;
 };
 

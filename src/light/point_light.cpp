@@ -29,7 +29,10 @@ double PointLight::power(double) const {
 }
 
 Influence PointLight::influence() const {
-  return {Influence::Reach::around, intensity.integral(), position, {}, 0.0};
+  return {.reach = Influence::Reach::around,
+          .strength = intensity.integral(),
+          .center = position,
+          .box = {position, position}};
 }
 
 SpotLight::SpotLight(Vec3d position, const Cone& cone, Spectrum intensity)
@@ -68,7 +71,13 @@ double SpotLight::power(double) const {
 }
 
 Influence SpotLight::influence() const {
-  return {Influence::Reach::around, intensity_.integral(), position_, {}, 0.0};
+  return {.reach = Influence::Reach::in_cone,
+          .strength = intensity_.integral(),
+          .center = position_,
+          .front = axis_,
+          .box = {position_, position_},
+          .normal_cosine = cos_outer_,
+          .spread_cosine = 1.0};
 }
 
 }  // namespace lapidary::light

@@ -79,7 +79,17 @@ double RectangleLight::power(double) const {
 
 Influence RectangleLight::influence() const {
   const double radius = 0.5 * std::hypot(length_u_, length_v_);
-  return {Influence::Reach::in_front, power(0) * inv_pi, center_, normal_, radius * radius};
+  Box3d box;
+  for (const Vec3d& to_corner : {Vec3d(), edge_u_, edge_v_, edge_u_ + edge_v_}) {
+    box.extend(corner_ + to_corner);
+  }
+  return {.reach = Influence::Reach::in_front,
+          .strength = power(0) * inv_pi,
+          .center = center_,
+          .front = normal_,
+          .radius_squared = radius * radius,
+          .box = box,
+          .normal_cosine = 1.0};
 }
 
 }  // namespace lapidary::light

@@ -28,11 +28,11 @@ double SolidLight::power(double) const {
 
 Influence SolidLight::influence() const {
   const Box3d box = bounds(solid_);
-  return {Influence::Reach::around,
-          power(0) / (4.0 * pi),
-          box.center(),
-          {},
-          0.25 * length_squared(box.extent())};
+  return {.reach = Influence::Reach::around,
+          .strength = power(0) / (4.0 * pi),
+          .center = box.center(),
+          .radius_squared = 0.25 * length_squared(box.extent()),
+          .box = box};
 }
 
 }  // namespace lapidary::light

@@ -52,7 +52,12 @@ double SphereLight::power(double) const {
 }
 
 Influence SphereLight::influence() const {
-  return {Influence::Reach::around, power(0) / (4.0 * pi), center_, {}, radius_ * radius_};
+  const Vec3d r(radius_, radius_, radius_);
+  return {.reach = Influence::Reach::around,
+          .strength = power(0) / (4.0 * pi),
+          .center = center_,
+          .radius_squared = radius_ * radius_,
+          .box = {center_ - r, center_ + r}};
 }
 
 }  // namespace lapidary::light

@@ -226,12 +226,17 @@ Scene build(const description::SceneDescription& description, const BuildOptions
     ++index;
   });
   for (const description::Light& light : description.lights) {
-    parts.lights.push_back(prepare_light(light, description.metres_per_unit));
+    for (light::Light& part : prepare_lights(light, description.metres_per_unit)) {
+      parts.lights.push_back(std::move(part));
+    }
   }
   if (parts.lights.empty()) {
     options.warnings.add(description.where.location(),
                          "the scene has no light, so the picture will be black");
   }
+  parts.light_choice = options.light_choice == description::LightChoice::power
+                           ? light::ChoiceRule::power
+                           : light::ChoiceRule::influence;
   parts.world = geometry::World(builder.take_world(), options.pool);
   return Scene(std::move(parts));
 }

@@ -12,6 +12,7 @@ struct BuildOptions {
   description::PictureSize size;  ///< its shape decides what the field of view spans
   ThreadPool& pool;
   WarningLog& warnings;
+  description::LightChoice light_choice = description::LightChoice::tree;
 };
 
 /// Turns what the user said into what light transport reads. The description has a camera; a scene

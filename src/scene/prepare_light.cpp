@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "image/image_io.h"
+#include "light/ies_file.h"
+#include "light/sky.h"
 
 namespace lapidary::scene {
 namespace {
@@ -19,6 +21,13 @@ light::Light prepare(const description::PointLight& p, double metres) {
   const double square = metres * metres;
   const double to_intensity = p.emission.quantity == Quantity::power ? 4.0 * pi : 1.0;
   return light::PointLight{p.position, divided(p.emission.spectrum, to_intensity * square)};
+}
+
+light::Light prepare(const description::ProfileLight& p, double metres) {
+  auto profile = std::make_shared<const light::PhotometricWeb>(light::read_ies(p.file));
+  const double to_candela = p.emission.quantity == Quantity::power ? profile->flux() : 1.0;
+  return light::ProfileLight({p.position, p.axis, p.up}, std::move(profile),
+                             divided(p.emission.spectrum, to_candela * metres * metres));
 }
 
 light::Light prepare(const description::SpotLight& s, double metres) {
@@ -59,10 +68,26 @@ light::Light prepare(const description::ImageEnvironment& e, double) {
   return light::ImageEnvironment(std::move(picture));
 }
 
+std::vector<light::Light> prepare(const description::Sky& s, double) {
+  light::Sky sky = light::make_sky({s.to_sun, {s.turbidity, s.ground_albedo}, s.scale});
+  std::vector<light::Light> lights{light::ImageEnvironment(std::move(sky.picture))};
+  const bool is_up = sky.sun.influence().strength > 0.0;
+  if (s.sun == description::Sky::Sun::shines && is_up) lights.emplace_back(std::move(sky.sun));
+  return lights;
+}
+
+std::vector<light::Light> as_list(light::Light light) {
+  return {std::move(light)};
+}
+std::vector<light::Light> as_list(std::vector<light::Light> lights) {
+  return lights;
+}
+
 }  // namespace
 
-light::Light prepare_light(const description::Light& light, double metres) {
-  return std::visit([&](const auto& model) { return prepare(model, metres); }, light.model);
+std::vector<light::Light> prepare_lights(const description::Light& light, double metres) {
+  return std::visit([&](const auto& model) { return as_list(prepare(model, metres)); },
+                    light.model);
 }
 
 Spectrum SurfaceLights::radiance(const Emission& emission, double area) const {

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "description/light.h"
 #include "description/material.h"
@@ -12,9 +13,9 @@
 
 namespace lapidary::scene {
 
-/// A light of the scene's `lights` list. `metres` is the length of a scene unit. Reads image files;
-/// throws Error for those that cannot be used.
-light::Light prepare_light(const description::Light& light, double metres);
+/// What a light of the scene's `lights` list is made of: a sky of two, all others of one. `metres`
+/// is the length of a scene unit. Reads files; throws Error for those that cannot be used.
+std::vector<light::Light> prepare_lights(const description::Light& light, double metres);
 
 /// Makes the lights that surfaces are which wear an emissive material.
 class SurfaceLights {

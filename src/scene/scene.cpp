@@ -14,7 +14,9 @@ double radius(const Box3d& box) {
 }  // namespace
 
 Scene::Scene(Parts parts) : parts_(std::move(parts)) {
-  if (!parts_.lights.empty()) selector_.emplace(parts_.lights, radius(parts_.world.bounds()));
+  if (!parts_.lights.empty()) {
+    selector_.emplace(parts_.lights, radius(parts_.world.bounds()), parts_.light_choice);
+  }
   for (std::uint32_t i = 0; i < parts_.lights.size(); ++i) {
     if (light::is_infinite(parts_.lights[i])) infinite_lights_.push_back(i);
   }

@@ -84,6 +84,7 @@ class Scene {
     std::vector<std::uint32_t> sheet_slots, mesh_slots;
     std::vector<light::Light> lights;
     std::vector<PlacedLight> placed_lights;  ///< ascending by place, then slot
+    light::ChoiceRule light_choice = light::ChoiceRule::influence;
   };
 
   explicit Scene(Parts parts);

@@ -22,6 +22,14 @@ std::string_view to_string(Unit unit) {
       return "W/sr";
     case Unit::irradiance:
       return "W/m2";
+    case Unit::lumens:
+      return "lm";
+    case Unit::candela:
+      return "cd";
+    case Unit::lux:
+      return "lx";
+    case Unit::nits:
+      return "cd/m2";
     case Unit::kelvin:
       return "K";
     case Unit::nanometres:

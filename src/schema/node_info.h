@@ -19,6 +19,10 @@ enum class Unit {
   radiance,
   intensity,
   irradiance,
+  lumens,
+  candela,
+  lux,
+  nits,
   kelvin,
   nanometres,
 };

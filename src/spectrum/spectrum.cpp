@@ -1,6 +1,7 @@
 #include "spectrum/spectrum.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -25,6 +26,16 @@ double planck(double kelvin, double nm) {
   // end, it does not vanish everywhere when the body is cold.
   const double ratio = std::exp(x_end - x) * std::expm1(-x_end) / std::expm1(-x);
   return std::pow(lambda_max / nm, 5) * ratio;
+}
+
+/// The integral over 360-830 nm.
+double quadrature(const Spectrum& spectrum) {
+  const std::vector<double> nm = spectrum.knots();
+  double sum = 0.0;
+  for (std::size_t i = 1; i < nm.size(); ++i) {
+    sum += simpson([&](double x) { return spectrum.at(x); }, nm[i - 1], nm[i]);
+  }
+  return sum;
 }
 
 }  // namespace
@@ -108,12 +119,15 @@ Spectrum Spectrum::scaled(float factor) const {
 }
 
 double Spectrum::integral() const {
-  const std::vector<double> nm = knots();
-  double sum = 0.0;
-  for (std::size_t i = 1; i < nm.size(); ++i) {
-    sum += simpson([this](double x) { return at(x); }, nm[i - 1], nm[i]);
+  // Illuminants are sums of three, and scenes hold very many of them.
+  if (const auto* illuminant = std::get_if<Illuminant>(&form_)) {
+    const auto primary = [](Rgb rgb) { return quadrature(Spectrum::illuminant(rgb)); };
+    static const std::array<double, 3> of_primaries{primary({1, 0, 0}), primary({0, 1, 0}),
+                                                    primary({0, 0, 1})};
+    const auto [r, g, b] = illuminant->rgb;
+    return r * of_primaries[0] + g * of_primaries[1] + b * of_primaries[2];
   }
-  return sum;
+  return quadrature(*this);
 }
 
 std::vector<double> Spectrum::knots() const {

@@ -53,7 +53,7 @@ SampledSpectrum NextEvent::direct_light(const Place& place, const VertexPoints& 
                                         const SampleContext& context) const {
   const Vertex& vertex = place.vertex;
   if (scene_.light_selector() == nullptr) return {};
-  const auto choice = scene_.light_selector()->choose(vertex.surface.p, points.light_choice());
+  const auto choice = scene_.light_selector()->choose(vertex.lit, points.light_choice());
   if (choice.probability == 0.0) return {};
   const light::LightNumbers numbers{choice.remainder, points.light_position()};
   const light::Light& light = scene_.lights()[choice.index];

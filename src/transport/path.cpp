@@ -44,7 +44,7 @@ class Path {
  private:
   /// What the last scattering event was, as far as MIS needs it.
   struct Origin {
-    Vec3d p;
+    light::LitPoint lit;
     double pdf = 0;  ///< of the direction taken, per solid angle
     Lobe lobe = Lobe::specular;
   };
@@ -86,8 +86,8 @@ SampledSpectrum Path::light_met(std::uint32_t index, const light::LightHit& hit)
   const light::Light& light = scene_.lights()[index];
   const SampledSpectrum Le = light::emitted(light, ray_.direction, hit, context_.wavelengths);
   if (origin_.lobe == Lobe::specular || Le.is_zero()) return Le;
-  const double pdf_light = scene_.light_selector()->probability(origin_.p, index) *
-                           light::pdf_illumination(light, origin_.p, ray_.direction, hit);
+  const double pdf_light = scene_.light_selector()->probability(origin_.lit, index) *
+                           light::pdf_illumination(light, origin_.lit.p, ray_.direction, hit);
   return Le * static_cast<float>(power_heuristic(origin_.pdf, pdf_light));
 }
 
@@ -147,7 +147,7 @@ bool Path::scatter(const Vertex& vertex, const VertexPoints& points) {
   }
   if (sample->carried == Carried::hero) carried_ = Carried::hero;
   index_squared_ *= sample->relative_index * sample->relative_index;
-  origin_ = {vertex.surface.p, sample->pdf, sample->lobe};
+  origin_ = {vertex.lit, sample->pdf, sample->lobe};
   if (sample->lobe != Lobe::specular) cone_.spread = std::max(cone_.spread, spread(sample->pdf));
   if ((sample->wi.z > 0.0) != (vertex.wo.z > 0.0)) cross(vertex.surface, direction);
   const double time = ray_.time;

@@ -17,11 +17,14 @@ Vertex make_vertex(const Meeting& m, const Wavelengths& wavelengths, bsdf::Carri
   const bool faces_ray = dot(wo, m.surface.geometric_normal) > 0.0;
   const bsdf::Surroundings around{(faces_ray ? m.before : m.after).index,
                                   (faces_ray ? m.after : m.before).index, carried};
-  Vertex vertex{m.surface, {}, {}, make_bsdf(m.material.finish, {m.lookup, wavelengths}, around)};
+  Vertex vertex{
+      m.surface, {}, {}, make_bsdf(m.material.finish, {m.lookup, wavelengths}, around), {}};
   Vec3d normal = usable_normal(m.surface, wo);
-  if (!is_transparent(vertex.bsdf) && dot(wo, normal) < 0.0) normal = -normal;
+  const bool transparent = is_transparent(vertex.bsdf);
+  if (!transparent && dot(wo, normal) < 0.0) normal = -normal;
   vertex.frame = Frame::from_normal(normal);
   vertex.wo = vertex.frame.to_local(wo);
+  vertex.lit = {m.surface.p, transparent ? Vec3d() : normal};
   return vertex;
 }
 

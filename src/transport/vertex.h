@@ -5,6 +5,7 @@
 
 #include "bsdf/bsdf.h"
 #include "geometry/world.h"
+#include "light/choice.h"
 #include "math/frame.h"
 #include "scene/scene.h"
 #include "spectrum/wavelengths.h"
@@ -17,6 +18,7 @@ struct Vertex {
   Frame frame;  ///< local z is the shading normal; of opaque materials, on the side of wo
   Vec3d wo;     ///< local
   bsdf::Bsdf bsdf;
+  light::LitPoint lit;  ///< what lights are chosen for
 };
 
 /// What a vertex is made of.

@@ -1,8 +1,10 @@
 #include "description/light.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "construct.h"
+#include "spectrum/cie_functions.h"
 #include "spectrum/color.h"
 
 namespace lapidary::description {
@@ -14,6 +16,13 @@ class LightTest : public testing::Test {
  protected:
   Emission emission_of_object(const Object& object) {
     return std::get<Emissive>(object.material->model).emission;
+  }
+  Emission emission_of(const schema::Node& node) {
+    if (const auto object = node.as<Object>()) return emission_of_object(*object);
+    const auto light = node.as<Light>();
+    if (const auto* point = std::get_if<PointLight>(&light->model)) return point->emission;
+    if (const auto* spot = std::get_if<SpotLight>(&light->model)) return spot->emission;
+    return std::get<DistantLight>(light->model).emission;
   }
   Constructor make_;
 };
@@ -50,13 +59,20 @@ TEST_F(LightTest, RadianceAsANumberIsTheTotal) {
 
 TEST_F(LightTest, StrengthIsGivenExactlyOnce) {
   EXPECT_THAT(make_.error_of("sphere_light", "{}"),
-              HasSubstr("sphere_light needs 'power' or 'radiance'"));
+              HasSubstr("sphere_light needs 'power', 'radiance', 'lumens' or 'nits'"));
   EXPECT_THAT(make_.error_of("sphere_light", "{power = 1, radiance = 1}"),
               HasSubstr("takes either 'power' or 'radiance', not both"));
-  EXPECT_THAT(make_.error_of("point_light", "{}"), HasSubstr("needs 'power' or 'intensity'"));
+  EXPECT_THAT(make_.error_of("sphere_light", "{power = 1, lumens = 1}"),
+              HasSubstr("takes either 'power' or 'lumens', not both"));
+  EXPECT_THAT(make_.error_of("sphere_light", "{power = 1, nits = 1, lumens = 1}"),
+              HasSubstr("takes either 'power', 'lumens' or 'nits', not several of them"));
+  EXPECT_THAT(make_.error_of("sphere_light", "{candela = 1}"),
+              HasSubstr("unknown parameter 'candela' of sphere_light"));
+  EXPECT_THAT(make_.error_of("point_light", "{}"),
+              HasSubstr("needs 'power', 'intensity', 'lumens' or 'candela'"));
   EXPECT_THAT(make_.error_of("point_light", "{radiance = 1}"),
               HasSubstr("unknown parameter 'radiance' of point_light"));
-  EXPECT_THAT(make_.error_of("sun", "{}"), HasSubstr("sun needs 'irradiance'"));
+  EXPECT_THAT(make_.error_of("sun", "{}"), HasSubstr("sun needs 'irradiance' or 'lux'"));
   EXPECT_THAT(make_.error_of("sphere_light", "{power = 1, color = 'red', temperature = 3000}"),
               HasSubstr("either 'color' or 'temperature'"));
   EXPECT_THAT(make_.error_of("sphere_light", "{power = 1, color = 'black'}"),
@@ -64,6 +80,53 @@ TEST_F(LightTest, StrengthIsGivenExactlyOnce) {
   EXPECT_THAT(make_.error_of("sphere_light", "{power = -1}"), HasSubstr("must be at least 0"));
   EXPECT_THAT(make_.error_of("sphere_light", "{power = 1, radius = 0}"),
               HasSubstr("radius of sphere_light must be greater than 0"));
+}
+
+TEST_F(LightTest, PhotometricStrengthsAreWeighedByTheEye) {
+  struct Case {
+    const char* node;
+    const char* name;
+    Quantity quantity;
+  };
+  for (const auto& [node, name, quantity] : {Case{"sphere_light", "lumens", Quantity::power},
+                                             Case{"sphere_light", "nits", Quantity::radiance},
+                                             Case{"point_light", "lumens", Quantity::power},
+                                             Case{"point_light", "candela", Quantity::intensity},
+                                             Case{"spot_light", "candela", Quantity::intensity},
+                                             Case{"sun", "lux", Quantity::irradiance}}) {
+    for (const char* color : {"", ", color = 'orange'", ", temperature = 2700"}) {
+      const std::string literal = fmt::format("{{{} = 500{}}}", name, color);
+      const schema::Node made = make_.node(node, literal);
+      const Emission emission = emission_of(made);
+      EXPECT_EQ(emission.quantity, quantity) << node << literal;
+      // Lumens by the definition: 683 lm/W times the integral against the luminosity function.
+      double lumens = 0;
+      for (double nm = 360.5; nm < 830; nm += 1) {
+        lumens += 683.0 * emission.spectrum.at(nm) * observer_at(nm)[1];
+      }
+      EXPECT_NEAR(lumens, 500, 1) << node << literal;
+    }
+  }
+}
+
+TEST_F(LightTest, ALumenOfDaylightTakesTheWattsThatStandardsSay) {
+  // D65 within 360-830 nm has about 184 lm/W, and green light of 555 nm has 683.
+  const auto day = emission_of_object(*make_.object("sphere_light", "{lumens = 1840}"));
+  EXPECT_NEAR(day.spectrum.integral(), 10, 0.1);
+  EXPECT_NEAR(emission_of_object(*make_.object("sphere_light", "{nits = 184}")).spectrum.integral(),
+              1, 0.01);
+}
+
+TEST_F(LightTest, LightThatNobodySeesHasNoLumens) {
+  const auto infrared = make_.node("spectrum", "{from = 810, step = 5, values = {0, 1}}");
+  const schema::Field fields[] = {{"color", schema::Value(infrared)},
+                                  {"lumens", schema::Value(100.0)}};
+  const schema::Value argument = make_.arena().table({}, fields);
+  EXPECT_THAT(make_.message_of([&] { make_.node("sphere_light", argument); }),
+              HasSubstr("sphere_light gives no light that can be seen, so 'lumens' cannot say"));
+  const schema::Field watts[] = {{"color", schema::Value(infrared)},
+                                 {"power", schema::Value(100.0)}};
+  EXPECT_NO_THROW(make_.node("sphere_light", make_.arena().table({}, watts)));
 }
 
 TEST_F(LightTest, LightsWithASurfaceAreObjects) {
@@ -107,6 +170,36 @@ TEST_F(LightTest, SpotAndSunCheckTheirDirections) {
               HasSubstr("at of spot_light must differ from 'from'"));
   EXPECT_THAT(make_.error_of("spot_light", "{angle = 200, power = 1}"),
               HasSubstr("greater than 0 and at most 180"));
+}
+
+TEST_F(LightTest, ProfilesAreAimedAndOthersAreNot) {
+  EXPECT_THAT(make_.error_of("point_light", "{at = {0, 0, 0}, power = 1}"),
+              HasSubstr("at of point_light aims a profile, and there is none"));
+  EXPECT_THAT(make_.error_of("point_light", "{up = {0, 0, 1}, power = 1}"),
+              HasSubstr("up of point_light aims a profile"));
+  EXPECT_THAT(make_.error_of("point_light", "{profile = 'lamp.ies'}"),
+              HasSubstr("no file can be read here"));
+}
+
+TEST_F(LightTest, SkiesKnowWhereTheirSunIs) {
+  const auto to_sun = [this](const char* literal) {
+    const Vec3d d = make_.model<Sky, Light>("sky", literal).to_sun;
+    return std::vector<double>{d.x, d.y, d.z};
+  };
+  const auto near = [](double x, double y, double z) {
+    return testing::ElementsAre(testing::DoubleNear(x, 1e-12), testing::DoubleNear(y, 1e-12),
+                                testing::DoubleNear(z, 1e-12));
+  };
+  const double half = std::sqrt(0.5);
+  EXPECT_THAT(to_sun("{}"), near(0, half, half));
+  EXPECT_THAT(to_sun("{elevation = 0, azimuth = 90}"), near(1, 0, 0));
+  EXPECT_THAT(to_sun("{sun_direction = {1, 2, 3}}"), near(1, 2, 3));
+  EXPECT_THAT(make_.error_of("sky", "{elevation = -20}"), HasSubstr("must be from -10 to 90"));
+  EXPECT_THAT(make_.error_of("sky", "{sun_direction = {1, 0, -1}}"),
+              HasSubstr("more than 10 degrees below the horizon"));
+  EXPECT_THAT(make_.error_of("sky", "{sun_direction = {0, 0, 0}}"), HasSubstr("must not be zero"));
+  EXPECT_THAT(make_.error_of("sky", "{sun_direction = {0, 0, 1}, elevation = 3}"),
+              HasSubstr("either 'sun_direction' or 'elevation'"));
 }
 
 TEST_F(LightTest, EnvironmentIsAColorOrAFile) {

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include "light/light_selector.h"
 #include "light/lights.h"
 #include "support/chi_squared.h"
 
@@ -236,67 +235,6 @@ TEST(ImageEnvironment, LooksWhereThePictureSays) {
   EXPECT_NEAR(plain.color_towards({0, 0, -1}).r, 0.0f, 1e-6);
   picture.rotation = pi / 2;  // counter-clockwise: what was towards +x is towards +y
   EXPECT_NEAR(ImageEnvironment(picture).color_towards({0, out, up}).g, 1.0f, 1e-6);
-}
-
-/// Walks through all numbers: each light must be chosen with the probability that is stated.
-void expect_stated_probabilities(const LightSelector& selector, std::size_t lights, Vec3d p) {
-  constexpr int steps = 20000;
-  std::vector<double> chosen(lights);
-  for (int i = 0; i < steps; ++i) {
-    const auto choice = selector.choose(p, (i + 0.5) / steps);
-    ASSERT_LT(choice.index, lights);
-    EXPECT_EQ(choice.probability, selector.probability(p, choice.index));
-    EXPECT_GE(choice.remainder, 0.0);
-    EXPECT_LT(choice.remainder, 1.0);
-    chosen[choice.index] += 1.0 / steps;
-  }
-  for (std::size_t i = 0; i < lights; ++i) {
-    EXPECT_NEAR(chosen[i], selector.probability(p, i), 1.5 / steps * static_cast<double>(lights));
-  }
-}
-
-TEST(LightSelector, ChoosesAmongAFewByWhatTheyCouldDo) {
-  const std::vector<Light> lights{PointLight{{0, 0, 5}, white(3.0f)}, DiskLight({}, white()),
-                                  PointLight{{}, white(0.0f)}, ConstantEnvironment{white(0.1f)}};
-  const LightSelector selector(lights, 2.0);
-  const Vec3d near_point{0, 0, 4.5}, behind_disk{0, 0, -1}, far{1e6, 0, 1};
-  for (const Vec3d& p : {near_point, behind_disk, far}) {
-    expect_stated_probabilities(selector, lights.size(), p);
-    EXPECT_EQ(selector.probability(p, 2), 0.0) << "it is dark";
-  }
-  EXPECT_EQ(selector.probability(behind_disk, 1), 0.0);
-  EXPECT_GT(selector.probability({0, 0, 1}, 1), 0.0);
-  EXPECT_GT(selector.probability(near_point, 0), 0.9);
-  EXPECT_GT(selector.probability(far, 3), 0.99) << "only the sky reaches so far";
-}
-
-TEST(LightSelector, NeverLeavesOutALightThatReachesThePoint) {
-  Random random(17);
-  const RectangleLight wide({{-50, -50, 0}, {100, 0, 0}, {0, 100, 0}}, white());
-  const std::vector<Light> lights{wide, PointLight{{0, 0, 3}, white(100.0f)}};
-  const LightSelector selector(lights, 100.0);
-  const Wavelengths w = Wavelengths::sample(0.5);
-  for (int i = 0; i < 1000; ++i) {
-    const Vec3d p{200 * random.uniform() - 100, 200 * random.uniform() - 100,
-                  20 * random.uniform() - 10};
-    const LightNumbers numbers{0.5, {random.uniform(), random.uniform()}};
-    const auto sample = sample_illumination(lights[0], p, numbers, w);
-    if (sample && !sample->L.is_zero()) {
-      EXPECT_GT(selector.probability(p, 0), 0.0);
-    }
-  }
-}
-
-TEST(LightSelector, ChoosesAmongManyByPower) {
-  std::vector<Light> lights;
-  for (int i = 0; i < 40; ++i) lights.push_back(PointLight{{}, white(static_cast<float>(i % 5))});
-  const LightSelector selector(lights, 2.0);
-  double total = 0;
-  for (const Light& light : lights) total += power(light, 2.0);
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    EXPECT_NEAR(selector.probability({1, 2, 3}, i), power(lights[i], 2.0) / total, 1e-12);
-  }
-  expect_stated_probabilities(selector, lights.size(), {1, 2, 3});
 }
 
 }  // namespace

@@ -225,8 +225,8 @@ TEST(Build, OfAnEmptySceneIsEmpty) {
 TEST(Build, TakesLightsOfNoPower) {
   const Scene scene = TinyScene().add(Sphere{}, lamp(0.0)).sky(0.0).build();
   ASSERT_NE(scene.light_selector(), nullptr);
-  EXPECT_EQ(scene.light_selector()->choose({0, 0, 3}, 0.3).probability, 0.0);
-  EXPECT_EQ(scene.light_selector()->probability({0, 0, 3}, 1), 0.0);
+  EXPECT_EQ(scene.light_selector()->choose({{0, 0, 3}}, 0.3).probability, 0.0);
+  EXPECT_EQ(scene.light_selector()->probability({{0, 0, 3}}, 1), 0.0);
 }
 
 // A scene that one thread built does not hold later work to one thread.

@@ -344,7 +344,7 @@ ThreeWays measure(const scene::Scene& scene, Vec3d spot) {
     ways.chance.add(lit ? L : 0.0);
 
     const double choice = random.uniform();
-    const auto chosen = scene.light_selector()->choose(spot, choice);
+    const auto chosen = scene.light_selector()->choose({spot}, choice);
     const auto sample = light::sample_illumination(
         scene.lights()[chosen.index], spot, {chosen.remainder, random.uniform2()}, wavelengths);
     double value = 0;
