@@ -44,7 +44,8 @@ description::SceneDescription load_obj(const SceneArguments& arguments, WarningL
   if (!arguments.parameters.empty()) {
     throw UsageError("--set is for scenes; a bare mesh has no parameters");
   }
-  import::MeshFiles files(&warnings);
+  import::ImageFiles images;
+  import::MeshFiles files(&warnings, {}, &images);
   description::SceneDescription scene;
   scene.objects = {files.read(arguments.file, {.up = arguments.up})};
   return scene;

@@ -12,10 +12,28 @@ struct Inherited {
   MaterialPtr interior;
   std::int32_t priority = 0;
   const Cut* cut = nullptr;
+  std::shared_ptr<const geometry::MovingTransform> motion;
 };
+
+/// Null if nothing moves it.
+std::shared_ptr<const geometry::MovingTransform> motion_of(const Object& object,
+                                                           const Inherited& above) {
+  if (!object.motion && !(above.motion && object.placement)) return above.motion;
+  auto motion = above.motion ? std::make_shared<geometry::MovingTransform>(*above.motion)
+                             : std::make_shared<geometry::MovingTransform>(above.world_from_parent);
+  if (object.motion) {
+    motion->append(object.motion->parent_from_moving);
+    motion->append(object.motion->motion);
+    motion->append(object.motion->moving_from_object);
+  } else {
+    motion->append(*object.placement);
+  }
+  return motion;
+}
 
 Inherited inside(const Object& object, const Inherited& above) {
   Inherited here = above;
+  here.motion = motion_of(object, above);
   if (object.placement) here.world_from_parent = above.world_from_parent * *object.placement;
   if (object.material) {
     here.material = object.material;
@@ -71,7 +89,7 @@ class LeafWalk {
       return;
     }
     visit_({object, here.world_from_parent, here.material, here.world_from_wearer, here.name,
-            here.interior, here.priority, here.cut, removed_});
+            here.interior, here.priority, here.cut, removed_, here.motion});
   }
 
   const std::function<void(const Leaf&)>& visit_;

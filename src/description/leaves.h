@@ -18,9 +18,10 @@ struct Removed {
 /// itself is that of the innermost thing around it that was.
 struct Leaf {
   const Object& object;
-  const Transform& world_from_object;
-  const MaterialPtr& material;  ///< `default_material()` if nothing around it has one
-  /// Where that stands which was given the material: the place of its textures.
+  const Transform& world_from_object;  ///< when the frame begins
+  const MaterialPtr& material;         ///< `default_material()` if nothing around it has one
+  /// Where that stands, when the frame begins, which was given the material: the place of its
+  /// textures.
   const Transform& world_from_wearer;
   std::string_view name;        ///< may be empty
   const MaterialPtr& interior;  ///< may be null
@@ -28,6 +29,8 @@ struct Leaf {
   const Cut* cut;               ///< may be null
   /// What sections take away, the outermost first.
   std::span<const Removed> removed;
+  /// What it does while the frame lasts; null: it stays where it is.
+  std::shared_ptr<const geometry::MovingTransform> motion = nullptr;
 };
 
 /// Calls `visit` for every leaf of `objects` in the order of writing. The references hold for the

@@ -10,7 +10,10 @@
 #include "description/light.h"
 #include "description/object.h"
 #include "schema/reader.h"
-#include "texture/texture.h"
+
+namespace lapidary::texture {
+struct Texture;
+}
 
 namespace lapidary::schema {
 
@@ -42,7 +45,8 @@ struct NodeWord<description::Camera> {
   static constexpr std::string_view type = "camera";
   static constexpr std::string_view wanted = "a camera";
   static constexpr std::string_view hint =
-      "cameras are perspective and orthographic, as in perspective { from = { 4, -7, 4 } }";
+      "cameras are perspective, orthographic, panorama and fisheye, as in perspective { from = { "
+      "4, -7, 4 } }";
 };
 template <>
 struct NodeWord<texture::Texture> {

@@ -7,8 +7,8 @@
 namespace lapidary::description {
 
 /// Every kind of node that this folder declares, in the order of the reference: solids, sheets,
-/// groups, combinations, materials, textures, spectra, lights, cameras, the scene and its tables. A
-/// mesh is read by import.
+/// groups, combinations, materials, textures, spectra, lights, cameras, the scene and its tables.
+/// Meshes and images are read by import.
 std::vector<schema::NodeKind> node_kinds();
 
 // One function for each file of declarations.
@@ -21,10 +21,12 @@ std::vector<schema::NodeKind> combination_kinds();
 std::vector<schema::NodeKind> material_kinds();
 std::vector<schema::NodeKind> composite_material_kinds();
 std::vector<schema::NodeKind> texture_kinds();
+std::vector<schema::NodeKind> noise_kinds();
 std::vector<schema::NodeKind> spectrum_kinds();
 std::vector<schema::NodeKind> light_kinds();
 std::vector<schema::NodeKind> environment_kinds();
 std::vector<schema::NodeKind> camera_kinds();
+std::vector<schema::NodeKind> wide_camera_kinds();
 std::vector<schema::NodeKind> settings_kinds();
 schema::NodeKind principled_kind();
 schema::NodeKind scene_kind();

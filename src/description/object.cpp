@@ -35,7 +35,7 @@ ObjectPtr changed(const Object& object, Change change) {
 }
 
 bool is_plain(const Object& object) {
-  return !object.placement && !object.material && !object.attributes;
+  return !object.placement && !object.material && !object.attributes && !object.motion;
 }
 
 }  // namespace
@@ -101,6 +101,19 @@ ObjectPtr moved(const Object& object, const Transform& motion) {
   if (!Transform::affine(whole.linear(), whole.offset())) return nullptr;
   auto copy = std::make_shared<Object>(object);
   copy->placement = std::make_shared<const Transform>(whole);
+  if (object.motion) {
+    ObjectMotion carried = *object.motion;
+    carried.parent_from_moving = motion * carried.parent_from_moving;
+    copy->motion = std::make_shared<const ObjectMotion>(carried);
+  }
+  return copy;
+}
+
+ObjectPtr with_motion(const Object& object, geometry::Motion motion) {
+  auto copy = std::make_shared<Object>(object);
+  motion.center = object.parent_from_object().offset();
+  copy->motion =
+      std::make_shared<const ObjectMotion>(ObjectMotion{object.parent_from_object(), motion, {}});
   return copy;
 }
 

@@ -9,6 +9,7 @@
 
 #include "description/combination.h"
 #include "description/material.h"
+#include "geometry/moving_transform.h"
 #include "geometry/sheet.h"
 #include "geometry/solid.h"
 #include "geometry/triangle_mesh.h"
@@ -64,6 +65,13 @@ struct Attributes {
   void complete_with(const Attributes& other);
 };
 
+/// How an object moves while a frame is taken, between two of the places that it was given.
+struct ObjectMotion {
+  Transform moving_from_object;
+  geometry::Motion motion;
+  Transform parent_from_moving;
+};
+
 /// Something that stands in the scene: what it is, where it is, what it wears. Immutable once it is
 /// shared; objects made from others share what they have in common.
 ///
@@ -73,11 +81,13 @@ struct Attributes {
 struct Object {
   std::variant<geometry::Solid, geometry::Sheet, Mesh, std::shared_ptr<const Group>, Combination>
       content;
-  std::shared_ptr<const Transform> placement;    ///< null: where it was made
+  std::shared_ptr<const Transform> placement;    ///< when the frame begins; null: where it was made
   MaterialPtr material;                          ///< null: that of what is around it
   std::shared_ptr<const Attributes> attributes;  ///< null: none
   schema::CallSite where;
+  std::shared_ptr<const ObjectMotion> motion = nullptr;  ///< null: what is around it carries it
 
+  /// When the frame begins.
   const Transform& parent_from_object() const;
   const std::string& name() const;  ///< may be empty
   /// Null unless it is an operation.
@@ -104,6 +114,9 @@ bool is_solid(const Object& object);
 /// `object` moved: `motion` comes after the placement it has. Null when the composed map is
 /// singular to working precision or not finite.
 ObjectPtr moved(const Object& object, const Transform& motion);
+/// `object` moving where it stands, about the origin of its own coordinates there; what moves it
+/// afterwards moves its motion with it. It must not have a motion yet.
+ObjectPtr with_motion(const Object& object, geometry::Motion motion);
 /// `object` wearing `material`, which replaces a mesh's own materials; members of a group and
 /// operands of a combination that wear something keep it.
 ObjectPtr with_material(const Object& object, MaterialPtr material);

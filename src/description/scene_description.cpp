@@ -36,7 +36,7 @@ void for_each_leaf(const SceneDescription& scene, const std::function<void(const
     removed.assign(leaf.removed.begin(), leaf.removed.end());
     removed.push_back({scene.section, {}});
     visit({leaf.object, leaf.world_from_object, leaf.material, leaf.world_from_wearer, leaf.name,
-           leaf.interior, leaf.priority, leaf.cut, removed});
+           leaf.interior, leaf.priority, leaf.cut, removed, leaf.motion});
   });
 }
 

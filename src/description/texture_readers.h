@@ -25,12 +25,26 @@ struct NumberReader {
   static std::string text(const texture::Number& number);
 };
 
+/// Anything that textures can be reckoned with: a texture, a number of any size, or a colour.
+struct OperandReader {
+  static std::string type() { return "texture, number or color"; }
+  static texture::Operand read(const schema::Value& value, const schema::Context& context);
+};
+
 /// Two colours, in a list.
 struct ColorPairReader {
   static std::string type() { return "list of two colors or textures"; }
   static std::array<texture::Color, 2> read(const schema::Value& value,
                                             const schema::Context& context);
   static std::string text(const std::array<texture::Color, 2>&) { return ""; }
+};
+
+/// Colours from 0 to 1, evenly spaced, or each with its position: { { 0, "red" }, { 0.3, "blue" }
+/// }.
+struct RampReader {
+  static std::string type() { return "list of colors, or of {position, color}"; }
+  static texture::Ramp read(const schema::Value& value, const schema::Context& context);
+  static std::string text(const texture::Ramp&) { return ""; }
 };
 
 }  // namespace lapidary::description

@@ -18,7 +18,7 @@ struct PixelSample {
   Rgb beauty;
   Rgb albedo;
   Vec3f normal;              ///< of the first surface, towards the camera; zero where there is none
-  float depth = 0;           ///< along the view; 0 where nothing is hit
+  float depth = 0;           ///< camera::depth; 0 where nothing is hit
   std::uint32_t object = 0;  ///< number of the first object hit, from 1; 0 for none
 };
 

@@ -25,7 +25,7 @@ bool is_there(const WornSurface& worn, const CompoundSurface::Point& at, double 
   for (Transition found; sweep.next(found);) {
     if (worn.leaf_numbers[found.worn_leaf] != at.leaf || found.worn_patch != point.patch) continue;
     const LeafPatch patch{0, found.worn_leaf, found.worn_patch};
-    if (worn.alone.is_same_crossing(patch, ray.line(), height, found.t)) return true;
+    if (worn.alone.is_same_crossing(patch, ray, height, found.t)) return true;
   }
   return false;
 }

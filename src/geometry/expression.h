@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "geometry/moving_transform.h"
 #include "geometry/placed_solid.h"
 #include "geometry/ray.h"
 
@@ -108,7 +110,8 @@ struct Assembly {
 /// One of those places.
 struct Instance {
   std::uint32_t assembly = 0;
-  Transform world_from_assembly;
+  Transform world_from_assembly;                            ///< when the frame begins
+  std::shared_ptr<const MovingTransform> motion = nullptr;  ///< the same over it; null: at rest
 };
 
 /// A body of the world: where it is, what fills it and what its surface wears.

@@ -6,6 +6,12 @@
 
 namespace lapidary::geometry {
 
+/// How far a computed map may be from the one that was meant.
+struct MapError {
+  double linear = 0;  ///< of the linear part: of the image of a unit vector
+  double offset = 0;
+};
+
 /// The coordinates in which something was made that stands in the world under an affine map, and
 /// the way there for lines. Their direction is not normalised, so t stays that of the world; what
 /// rounding does to them on the way is stated in the line.
@@ -15,7 +21,7 @@ namespace lapidary::geometry {
 /// the world by different products.
 class OwnSpace {
  public:
-  explicit OwnSpace(const Transform& world_from_own);
+  explicit OwnSpace(const Transform& world_from_own, const MapError& error = {});
 
   const Transform& world_from_own() const { return world_from_own_; }
 

@@ -40,6 +40,10 @@ class PlacedSolid {
   /// Bound on the displacement of a baked image's surface by rounding; 0 in own space.
   double surface_error() const { return surface_error_; }
 
+  /// Whether `shape` meets lines just as they are.
+  bool takes_world_lines() const {
+    return space_ == Space::world && surface_error_ == 0.0 && angle_error_ == 0.0;
+  }
   /// The line as `shape` has to meet it, with the error of getting there.
   Line shape_line(const Line& line) const;
 
@@ -85,6 +89,8 @@ inline Line PlacedSolid::shape_line(const Line& line) const {
 }
 
 inline void intervals(const PlacedSolid& placed, const Line& line, EventBuffer& events) {
+  // Not copied, where it was just written: that stalls the processor.
+  if (placed.takes_world_lines()) return intervals(placed.shape(), line, events);
   intervals(placed.shape(), placed.shape_line(line), events);
 }
 

@@ -29,7 +29,7 @@ struct Ray {
   Vec3d origin;
   Vec3d direction;          ///< any length but zero; t is in its units
   double t_max = infinity;  ///< surfaces at t < t_max count
-  double time = 0;          ///< in the shutter interval, [0, 1)
+  double time = 0;          ///< of the frame, which lasts from 0 to 1
   SurfaceRef from;
 
   Line line() const { return {origin, direction}; }

@@ -43,8 +43,9 @@ SolidScene::SolidScene(Parts parts) : regions_(std::move(parts.regions)) {
     const Instance& instance = parts.instances[regions_[i].instance];
     const Box3d& own = assemblies_[instance.assembly].bounds(0);
     places_.push_back({i, instance.assembly, OwnSpace(instance.world_from_assembly),
-                       reach_of(assemblies_[instance.assembly].bounded_part())});
-    region_bounds_[i] = world_box(own, instance.world_from_assembly);
+                       reach_of(assemblies_[instance.assembly].bounded_part()), instance.motion});
+    region_bounds_[i] = instance.motion ? instance.motion->swept(own)
+                                        : world_box(own, instance.world_from_assembly);
     guests.push_back(region_bounds_[i]);
     if (assemblies_[instance.assembly].tree().roots_at_rest()[0]) at_rest_.push_back(i);
   }
@@ -78,18 +79,21 @@ Box3d SolidScene::bounds(std::uint32_t region) const {
   return region_bounds_[region];
 }
 
-Vec3d SolidScene::outward_normal(std::uint32_t place, std::uint32_t leaf, Patch patch,
-                                 Vec3d p) const {
+Vec3d SolidScene::outward_normal(std::uint32_t place, std::uint32_t leaf, Patch patch, Vec3d p,
+                                 double time) const {
   const PlacedSolid& solid = compound(place).leaf(leaf).solid;
   if (place == 0) return geometry::outward_normal(solid, patch, p);
-  const OwnSpace& space = places_[place - 1].space;
-  return normalize(space.world_normal(geometry::outward_normal(solid, patch, space.point(p))));
+  return places_[place - 1].at(time, [&](const OwnSpace& space) {
+    return normalize(space.world_normal(geometry::outward_normal(solid, patch, space.point(p))));
+  });
 }
 
-bool SolidScene::is_same_crossing(const LeafPatch& at, const Line& line, double a, double b) const {
+bool SolidScene::is_same_crossing(const LeafPatch& at, const Ray& ray, double a, double b) const {
   EventBuffer events;
   const PlacedSolid& solid = compound(at.place).leaf(at.leaf).solid;
-  intervals(solid, at.place == 0 ? line : places_[at.place - 1].space.line(line), events);
+  const auto own_line = [&](const OwnSpace& space) { return space.line(ray.line()); };
+  intervals(solid, at.place == 0 ? ray.line() : places_[at.place - 1].at(ray.time, own_line),
+            events);
   const auto nearest = [&](double t) {
     const Event* best = nullptr;
     for (const Event& e : events) {
@@ -102,14 +106,15 @@ bool SolidScene::is_same_crossing(const LeafPatch& at, const Line& line, double 
   return aimed_at != nullptr && aimed_at == nearest(b);
 }
 
-SurfaceUv SolidScene::surface_uv(std::uint32_t place, std::uint32_t leaf, Patch patch,
-                                 Vec3d p) const {
+SurfaceUv SolidScene::surface_uv(std::uint32_t place, std::uint32_t leaf, Patch patch, Vec3d p,
+                                 double time) const {
   const PlacedSolid& solid = compound(place).leaf(leaf).solid;
   if (place == 0) return geometry::surface_uv(solid, patch, p);
-  const OwnSpace& space = places_[place - 1].space;
-  const SurfaceUv own = geometry::surface_uv(solid, patch, space.point(p));
-  const Mat3& m = space.world_from_own().linear();
-  return {own.uv, m * own.dpdu, m * own.dpdv};
+  return places_[place - 1].at(time, [&](const OwnSpace& space) -> SurfaceUv {
+    const SurfaceUv own = geometry::surface_uv(solid, patch, space.point(p));
+    const Mat3& m = space.world_from_own().linear();
+    return {own.uv, m * own.dpdu, m * own.dpdv};
+  });
 }
 
 std::size_t SolidScene::leaf_count() const {

@@ -28,8 +28,15 @@ class SolidScene {
   struct Place {
     std::uint32_t region = 0;
     std::uint32_t assembly = 0;
-    OwnSpace space;
+    OwnSpace space;    ///< when the frame begins
     double reach = 0;  ///< how far from the origin of its own coordinates its boxes reach
+    std::shared_ptr<const MovingTransform> motion = nullptr;  ///< null: at rest
+
+    /// What `use` makes of its own coordinates at a time of the frame.
+    template <typename Use>
+    auto at(double time, Use&& use) const {
+      return motion ? use(motion->space_at(time)) : use(space);
+    }
   };
 
   SolidScene() = default;
@@ -51,7 +58,7 @@ class SolidScene {
   std::uint32_t region_of_root(std::uint32_t root) const { return root_regions_[root]; }
   /// Regions that far away from everything are inside: complements.
   const std::vector<std::uint32_t>& regions_at_rest() const { return at_rest_; }
-  /// Of a region; may be infinite or empty.
+  /// Of a region, wherever it is while the frame lasts; may be infinite or empty.
   Box3d bounds(std::uint32_t region) const;
   /// Of everything that is bounded.
   const Box3d& bounded_part() const { return bounded_part_; }
@@ -67,12 +74,14 @@ class SolidScene {
   }
   /// Of a leaf of the compound that stands at `place`, at the world point p of its boundary: unit
   /// length, out of the leaf.
-  Vec3d outward_normal(std::uint32_t place, std::uint32_t leaf, Patch patch, Vec3d p) const;
-  /// Whether, of the crossings of `line` with a patch of a leaf, the same one is nearest to t = a
-  /// and to t = b: whether what a ray found at b is what it was aimed at when the point at a was
-  /// put on that patch, however well rounding lets one do that.
-  bool is_same_crossing(const LeafPatch& at, const Line& line, double a, double b) const;
-  SurfaceUv surface_uv(std::uint32_t place, std::uint32_t leaf, Patch patch, Vec3d p) const;
+  Vec3d outward_normal(std::uint32_t place, std::uint32_t leaf, Patch patch, Vec3d p,
+                       double time = 0) const;
+  /// Whether, of the crossings of `ray`'s line with a patch of a leaf, the same one is nearest to t
+  /// = a and to t = b: whether what a ray found at b is what it was aimed at when the point at a
+  /// was put on that patch, however well rounding lets one do that.
+  bool is_same_crossing(const LeafPatch& at, const Ray& ray, double a, double b) const;
+  SurfaceUv surface_uv(std::uint32_t place, std::uint32_t leaf, Patch patch, Vec3d p,
+                       double time = 0) const;
 
   std::size_t leaf_count() const;  ///< instanced ones each time they appear
   std::size_t bytes() const;

@@ -77,7 +77,7 @@ bool Sweep::collect_events() {
     if (!next.is_event()) {
       s_->queue.pop();
       open(next);
-      release(std::min(key, lower_));
+      if (!s_->released.empty()) release(std::min(key, lower_));
       continue;
     }
     const Member& event = s_->events[next.event()];
@@ -131,7 +131,8 @@ void Sweep::open_item(std::uint32_t slot, Compound::Item item, double key) {
 void Sweep::open_place(std::uint32_t index) {
   const SolidScene::Place& place = scene_.places()[index];
   const Compound& compound = scene_.assemblies()[place.assembly];
-  const Line line = place.space.line(s_->slots[0].line);
+  const Line line =
+      place.at(ray_.time, [this](const OwnSpace& s) { return s.line(s_->slots[0].line); });
   // Near the boxes |t| is at most this, and so the displacement is bounded.
   const double t = (length(line.origin) + place.reach) / length(line.direction);
   s_->open_slot(compound, index + 1, line, Bvh::Slabs(line, line.error_at(t)));
@@ -166,7 +167,8 @@ bool Sweep::lies_on_start(std::uint32_t slot, std::uint32_t leaf, std::size_t ev
   const Vec3d p = at.line.at(e.t);
   Vec3d n = outward_normal(at.compound->leaf(leaf).solid, e.patch, p);
   if (at.place != 0) {
-    n = normalize(scene_.places()[at.place - 1].space.world_normal(n));
+    n = normalize(scene_.places()[at.place - 1].at(
+        ray_.time, [n](const OwnSpace& space) { return space.world_normal(n); }));
   }
   const double slope = std::abs(dot(ray_.direction, n));
   return (e.t - e.tau) * slope <= ray_.from.displacement;
@@ -200,39 +202,41 @@ void Sweep::open_leaf(std::uint32_t slot, std::uint32_t leaf, double key) {
   push_event(first);
 }
 
-/// Goes on to the next group that changes the medium.
-std::optional<Sweep::Change> Sweep::next_change() {
+/// Goes on to the next group that changes the medium; false when there is none. Sets a structure:
+/// an optional one is put together from parts just before it is read as a whole, which stalls.
+bool Sweep::next_change(Change& change) {
   for (;;) {
     begin_group();
-    if (!collect_events()) return std::nullopt;
+    if (!collect_events()) return false;
     for (std::size_t applied = 0; applied < s_->group.size() && collect_events();) {
       for (; applied < s_->group.size(); ++applied) {
         const Member& m = s_->group[applied];
         feed_leaf(m.slot, m.leaf, m.crossing == Crossing::enter, Since::group);
       }
       // What waited for this may have events of its own here.
-      release(lower_);
+      if (!s_->released.empty()) release(lower_);
       collect_events();
     }
     if (s_->toggles.empty()) continue;
-    const Change change{region_before(), region()};
-    if (scene_.medium(change.before) != scene_.medium(change.after)) return change;
+    change.before = region_before();
+    change.after = region();
+    if (scene_.medium(change.before) != scene_.medium(change.after)) return true;
   }
 }
 
 bool Sweep::next(Transition& found) {
-  while (const auto change = next_change()) {
-    describe(*change, found);
+  for (Change change; next_change(change);) {
+    describe(change, found);
     if (found.t < t_max_) return true;
   }
   return false;
 }
 
 bool Sweep::any() {
-  while (const auto change = next_change()) {
+  for (Change change; next_change(change);) {
     if (upper_ < t_max_) return true;
     Transition found;
-    describe(*change, found);
+    describe(change, found);
     if (found.t < t_max_) return true;
   }
   return false;

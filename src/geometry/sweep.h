@@ -84,7 +84,7 @@ class Sweep {
   };
 
   // sweep.cpp: what comes next
-  std::optional<Change> next_change();
+  bool next_change(Change& change);
   void begin_group();
   bool collect_events();
   void open(const Entry& entry);

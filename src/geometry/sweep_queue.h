@@ -31,8 +31,9 @@ class SweepQueue {
   void pop() { --near_count_; }
 
   void push(double key, std::uint64_t value, float exit) {
-    if (!far_.empty() && !(key < far_.front().key)) return push_far(key, value, exit);
     if (near_count_ == capacity) spill();
+    // After that: what was moved may come before the new one.
+    if (!far_.empty() && !(key < far_.front().key)) return push_far(key, value, exit);
     std::size_t i = near_count_++;
     for (; i > 0 && near_keys_[i - 1] < key; --i) {
       near_keys_[i] = near_keys_[i - 1];

@@ -85,6 +85,11 @@ void Sweep::describe(const Change& change, Transition& found) {
   const auto leaf_of = [&](const Member& m) -> const Compound::Leaf& {
     return s_->slots[m.slot].compound->leaf(order_of(m).second);
   };
+  const auto comes_first = [&](const Member& a, const Member& b) {
+    const PlacedSolid &p = leaf_of(a).solid, &q = leaf_of(b).solid;
+    // Of the same solid twice, the one stated first: groups have no order.
+    return content_less(p, q) || (!content_less(q, p) && order_of(a) < order_of(b));
+  };
   // Some leaf is found: a node changes only with one of its children, down to the leaves.
   const Member *shown = nullptr, *placed = nullptr;
   bool shown_complement = false;
@@ -95,7 +100,7 @@ void Sweep::describe(const Change& change, Transition& found) {
     const bool better = shown == nullptr || (shown_complement && !complement) ||
                         (shown_complement == complement && order_of(m) < order_of(*shown));
     if (better) shown = &m, shown_complement = complement;
-    if (placed == nullptr || content_less(leaf_of(m).solid, leaf_of(*placed).solid)) {
+    if (placed == nullptr || comes_first(m, *placed)) {
       placed = &m;
       found.is_complement = complement;
     }

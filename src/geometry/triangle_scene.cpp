@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "geometry/bvh.h"
+#include "geometry/rounded_bounds.h"
 #include "math/constants.h"
 
 namespace lapidary::geometry {
@@ -91,10 +93,15 @@ struct TriangleScene::State {
     const Vertices* vertices = nullptr;
     bool instanced = false;
     Transform center_from_vertices;  ///< for instanced ones
-    Vec3d origin;                    ///< for flat ones: what their vertices are relative to
+    Vec3d origin;  ///< for flat and moving ones: what their vertices are relative to
+    RTCScene own_scene = nullptr;  ///< for moving ones
+
+    Vec3d vertex(std::uint32_t index) const { return Vec3d(vertices->positions[index]); }
   };
 
   std::vector<Placed> placed;
+  std::vector<std::uint32_t> moving;  ///< of `placed`
+  Bvh moving_boxes;
   std::map<const TriangleMesh*, std::unique_ptr<Vertices>> shared_vertices;
   std::vector<std::unique_ptr<Vertices>> own_vertices;
   Vec3d center;
@@ -107,6 +114,9 @@ struct TriangleScene::State {
   void attach_instance(RTCScene of, const Transform& center_from_vertices, unsigned id);
   void add_flat(unsigned id);
   void add_instanced(unsigned id, std::map<const TriangleMesh*, RTCScene>& scenes);
+  void add_moving(unsigned id, std::map<const TriangleMesh*, RTCScene>& scenes);
+  RTCScene scene_of(const TriangleMesh& mesh, std::map<const TriangleMesh*, RTCScene>& scenes);
+  void build_moving_boxes();
 };
 
 void TriangleScene::State::attach(RTCScene into, const TriangleMesh& mesh, const Vertices& vertices,
@@ -160,6 +170,17 @@ void TriangleScene::State::add_instanced(unsigned id,
                                          std::map<const TriangleMesh*, RTCScene>& scenes) {
   Placed& p = placed[id];
   const TriangleMesh& mesh = *p.placement.mesh;
+  const RTCScene of = scene_of(mesh, scenes);
+  p.instanced = true;
+  p.vertices = shared_vertices[&mesh].get();
+  p.center_from_vertices = Transform::translation(-center) * p.placement.world_from_mesh *
+                           Transform::translation(mesh.origin);
+  attach_instance(of, p.center_from_vertices, id);
+}
+
+/// A scene of the mesh alone, in its own coordinates, which all that use it share.
+RTCScene TriangleScene::State::scene_of(const TriangleMesh& mesh,
+                                        std::map<const TriangleMesh*, RTCScene>& scenes) {
   auto& vertices = shared_vertices[&mesh];
   if (!vertices) {
     vertices = std::make_unique<Vertices>(Vertices{mesh.positions});
@@ -169,11 +190,27 @@ void TriangleScene::State::add_instanced(unsigned id,
     rtcCommitScene(mesh_scenes.back().get());
     scenes[&mesh] = mesh_scenes.back().get();
   }
-  p.instanced = true;
-  p.vertices = vertices.get();
-  p.center_from_vertices = Transform::translation(-center) * p.placement.world_from_mesh *
-                           Transform::translation(mesh.origin);
-  attach_instance(scenes[&mesh], p.center_from_vertices, id);
+  return scenes[&mesh];
+}
+
+void TriangleScene::State::add_moving(unsigned id,
+                                      std::map<const TriangleMesh*, RTCScene>& scenes) {
+  Placed& p = placed[id];
+  p.own_scene = scene_of(*p.placement.mesh, scenes);
+  p.vertices = shared_vertices[p.placement.mesh.get()].get();
+  p.origin = p.placement.mesh->origin;
+  moving.push_back(id);
+}
+
+void TriangleScene::State::build_moving_boxes() {
+  std::vector<Box3d> boxes;
+  for (const std::uint32_t id : moving) {
+    const MeshPlacement& p = placed[id].placement;
+    // The float traversal may find what is a rounding of its coordinates outside of the box.
+    const Box3d box = p.motion->swept(geometry::bounds(*p.mesh));
+    boxes.push_back(padded(box, 0x1p-20 * max_component(box.extent())));
+  }
+  moving_boxes = Bvh(boxes);
 }
 
 TriangleScene::TriangleScene() : state_(std::make_unique<State>()) {}
@@ -187,8 +224,10 @@ TriangleScene::TriangleScene(std::vector<MeshPlacement> placements, ThreadPool& 
   State& s = *state_;
   std::map<const TriangleMesh*, int> uses;
   for (MeshPlacement& placement : placements) {
-    ++uses[placement.mesh.get()];
-    s.bounds.extend(placement.world_from_mesh.box(geometry::bounds(*placement.mesh)));
+    if (!placement.motion) ++uses[placement.mesh.get()];
+    const Box3d own = geometry::bounds(*placement.mesh);
+    s.bounds.extend(placement.motion ? placement.motion->swept(own)
+                                     : placement.world_from_mesh.box(own));
     s.placed.push_back({.placement = std::move(placement)});
   }
   s.center = s.bounds.center();
@@ -197,7 +236,9 @@ TriangleScene::TriangleScene(std::vector<MeshPlacement> placements, ThreadPool& 
   pool.run_inside([&s, &uses] {
     std::map<const TriangleMesh*, RTCScene> mesh_scenes;
     for (unsigned id = 0; id < s.placed.size(); ++id) {
-      if (uses[s.placed[id].placement.mesh.get()] == 1) {
+      if (s.placed[id].placement.motion) {
+        s.add_moving(id, mesh_scenes);
+      } else if (uses[s.placed[id].placement.mesh.get()] == 1) {
         s.add_flat(id);
       } else {
         s.add_instanced(id, mesh_scenes);
@@ -205,6 +246,7 @@ TriangleScene::TriangleScene(std::vector<MeshPlacement> placements, ThreadPool& 
     }
     rtcCommitScene(s.scene.get());
   });
+  s.build_moving_boxes();
   if (rtcGetDeviceError(s.device.get()) != RTC_ERROR_NONE) {
     throw Error({}, "the triangles could not be put into a ray tracing structure",
                 "is there enough memory?");
@@ -215,28 +257,51 @@ bool TriangleScene::empty() const {
   return state_->placed.empty();
 }
 
-bool TriangleScene::nearest(const Line& line, double t_max, TriangleHit& hit) const {
+bool TriangleScene::nearest(const Line& line, double t_max, TriangleHit& hit, double time) const {
   const State& s = *state_;
   if (s.placed.empty()) return false;
   RTCRayHit query;
-  set_ray(query.ray, line, s.center, t_max);
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  intersect(s.scene.get(), query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
-  const bool instanced = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
-  hit = {static_cast<double>(query.ray.tfar), instanced ? query.hit.instID[0] : query.hit.geomID,
-         query.hit.primID, static_cast<double>(query.hit.u), static_cast<double>(query.hit.v)};
-  return true;
+  const auto find = [&](RTCScene scene, const Line& in, Vec3d center, double far) {
+    set_ray(query.ray, in, center, far);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    intersect(scene, query);
+    return query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+  };
+  const auto found = [&](std::uint32_t placement) -> TriangleHit {
+    return {static_cast<double>(query.ray.tfar), placement, query.hit.primID,
+            static_cast<double>(query.hit.u), static_cast<double>(query.hit.v)};
+  };
+  bool any = find(s.scene.get(), line, s.center, t_max);
+  if (any) {
+    const bool instanced = query.hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
+    hit = found(instanced ? query.hit.instID[0] : query.hit.geomID);
+  }
+  s.moving_boxes.walk(line, any ? hit.t : t_max, [&](std::uint32_t i, double& far) {
+    const State::Placed& p = s.placed[s.moving[i]];
+    const Line own = p.placement.motion->space_at(time).line(line);
+    if (!find(p.own_scene, own, p.origin, far)) return false;
+    hit = found(s.moving[i]);
+    far = hit.t;
+    any = true;
+    return false;
+  });
+  return any;
 }
 
-bool TriangleScene::occluded(const Line& line, double t_max) const {
+bool TriangleScene::occluded(const Line& line, double t_max, double time) const {
   const State& s = *state_;
   if (s.placed.empty()) return false;
   RTCRay query;
   set_ray(query, line, s.center, t_max);
   occlude(s.scene.get(), query);
-  return query.tfar < 0.0f;
+  if (query.tfar < 0.0f) return true;
+  return s.moving_boxes.walk(line, t_max, [&](std::uint32_t i, double& far) {
+    const State::Placed& p = s.placed[s.moving[i]];
+    set_ray(query, p.placement.motion->space_at(time).line(line), p.origin, far);
+    occlude(p.own_scene, query);
+    return query.tfar < 0.0f;
+  });
 }
 
 void TriangleScene::refine(const Line& line, const Corners& c, TriangleHit& hit) {
@@ -253,27 +318,40 @@ void TriangleScene::refine(const Line& line, const Corners& c, TriangleHit& hit)
   hit.b2 = std::clamp(dot(line.direction, q) * inverse, 0.0, 1.0 - hit.b1);
 }
 
-Corners TriangleScene::corners(std::uint32_t placement, std::uint32_t triangle) const {
+Corners TriangleScene::corners(std::uint32_t placement, std::uint32_t triangle, double time) const {
   const State::Placed& p = state_->placed[placement];
   const auto& index = p.placement.mesh->triangles[triangle];
-  const std::vector<Vec3f>& v = p.vertices->positions;
-  const Corners c{Vec3d(v[index[0]]), Vec3d(v[index[1]]), Vec3d(v[index[2]])};
-  if (!p.instanced) return {c.p0 + p.origin, c.p1 + p.origin, c.p2 + p.origin};
-  const auto world = [&](Vec3d q) { return p.center_from_vertices.point(q) + state_->center; };
-  return {world(c.p0), world(c.p1), world(c.p2)};
+  const Corners c{p.vertex(index[0]), p.vertex(index[1]), p.vertex(index[2])};
+  if (p.instanced) {
+    const auto world = [&](Vec3d q) { return p.center_from_vertices.point(q) + state_->center; };
+    return {world(c.p0), world(c.p1), world(c.p2)};
+  }
+  const Corners moved{c.p0 + p.origin, c.p1 + p.origin, c.p2 + p.origin};
+  if (!p.placement.motion) return moved;
+  const Transform map = p.placement.motion->at(time);
+  return {map.point(moved.p0), map.point(moved.p1), map.point(moved.p2)};
 }
 
 const MeshPlacement& TriangleScene::placement(std::uint32_t index) const {
   return state_->placed[index].placement;
 }
 
-double TriangleScene::self_distance(Vec3d p, std::uint32_t placement, const Corners& c) const {
+double TriangleScene::self_distance(Vec3d p, std::uint32_t placement, const Corners& c,
+                                    double time) const {
   // In units of 2^-24: rounding the origin moves it by one per axis of its distance from the
   // centre; the edge tests of the robust traversal err by a few per edge length; an instance's
   // matrix, rounded and applied, by some four more of both.
+  const State::Placed& placed = state_->placed[placement];
   const double edge = std::max(max_component(abs(c.p1 - c.p0)), max_component(abs(c.p2 - c.p0)));
+  if (placed.placement.motion) {
+    // In its own coordinates, on the way back at most as much longer as the map makes any vector.
+    const Transform map = placed.placement.motion->at(time), inverse = map.inverse();
+    const double distance = max_component(abs(inverse.point(p) - placed.origin));
+    const double own_edge = frobenius_norm(inverse.linear()) * edge;
+    return 0x1p-24 * 4.0 * frobenius_norm(map.linear()) * (distance + own_edge);
+  }
   const double distance = max_component(abs(p - state_->center));
-  const double factor = state_->placed[placement].instanced ? 12.0 : 4.0;
+  const double factor = placed.instanced ? 12.0 : 4.0;
   return 0x1p-24 * factor * (distance + edge);
 }
 

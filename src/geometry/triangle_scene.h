@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "geometry/interval_events.h"
+#include "geometry/moving_transform.h"
 #include "geometry/triangle_mesh.h"
 #include "math/transform.h"
 
@@ -14,7 +15,8 @@ namespace lapidary::geometry {
 /// A mesh standing somewhere in the world. Several placements may share one mesh.
 struct MeshPlacement {
   std::shared_ptr<const TriangleMesh> mesh;
-  Transform world_from_mesh;
+  Transform world_from_mesh;                                ///< when the frame begins
+  std::shared_ptr<const MovingTransform> motion = nullptr;  ///< the same over it; null: at rest
 };
 
 /// Where a line meets a triangle, to float accuracy until refined.
@@ -37,7 +39,9 @@ struct Corners {
 /// barycentric weights of what it finds again, in double, from the same corners. That is a step of
 /// its own because fetching the corners costs a fifth of a query into a large mesh, and many a
 /// query is only asked whether and what it hits. A mesh placed once is stored
-/// flat; one placed several times is stored once and instanced. Traversal is Embree's robust one:
+/// flat; one placed several times is stored once and instanced. What moves is met in its own
+/// coordinates, by lines taken there in double: Embree would turn it on chords of its path, and
+/// solids that move along would not stay where they touch it. Traversal is Embree's robust one:
 /// no line slips between two triangles at their shared edge; of lines aimed at a corner to the
 /// last bit of float, about 2 in 1000 do.
 class TriangleScene {
@@ -53,9 +57,9 @@ class TriangleScene {
 
   bool empty() const;
   /// The nearest triangle at 0 < t < t_max; false, and `hit` untouched, when there is none.
-  bool nearest(const Line& line, double t_max, TriangleHit& hit) const;
+  bool nearest(const Line& line, double t_max, TriangleHit& hit, double time = 0) const;
   /// Whether any triangle lies at 0 < t < t_max.
-  bool occluded(const Line& line, double t_max) const;
+  bool occluded(const Line& line, double t_max, double time = 0) const;
 
   /// Sets t and the weights of a hit of `line` to double accuracy; leaves them as they are when the
   /// triangle is edge-on to working precision. Weights stay in [0, 1]: that the triangle is hit
@@ -63,12 +67,12 @@ class TriangleScene {
   static void refine(const Line& line, const Corners& corners, TriangleHit& hit);
 
   /// The corners that `nearest` intersects.
-  Corners corners(std::uint32_t placement, std::uint32_t triangle) const;
+  Corners corners(std::uint32_t placement, std::uint32_t triangle, double time = 0) const;
   const MeshPlacement& placement(std::uint32_t index) const;
 
   /// How far from a surface point of this scene, along the normal, a ray must start so that the
   /// float traversal cannot meet the same triangle or its neighbours behind it again.
-  double self_distance(Vec3d p, std::uint32_t placement, const Corners& c) const;
+  double self_distance(Vec3d p, std::uint32_t placement, const Corners& c, double time = 0) const;
 
   /// Bounds the distance, anywhere, by which the float traversal misplaces a triangle.
   double float_error() const;

@@ -56,9 +56,10 @@ void World::nearest_triangle(const Ray& ray, Hit& hit) const {
   const double slack = 8 * triangles_.float_error() / length(ray.direction);
   const double far = may_tie ? hit.t * (1 + 0x1p-22) + slack : hit.t;
   TriangleHit found;
-  if (!triangles_.nearest(ray.line(), far, found)) return;
+  if (!triangles_.nearest(ray.line(), far, found, ray.time)) return;
   if (may_tie) {
-    TriangleScene::refine(ray.line(), triangles_.corners(found.placement, found.triangle), found);
+    TriangleScene::refine(ray.line(), triangles_.corners(found.placement, found.triangle, ray.time),
+                          found);
     const double reach = one_norm(ray.origin) + found.t * one_norm(ray.direction);
     const double normal_error = 16 * rounding_unit * reach;
     if (found.t > hit.t + hit.tau + normal_error / length(ray.direction)) return;
@@ -116,20 +117,21 @@ bool World::occluded(const Ray& ray) const {
   if (!solids_.passes_by(slabs, ray.t_max) && Sweep(solids_, ray, slabs, ray.t_max).any()) {
     return true;
   }
-  return triangles_.occluded(ray.line(), ray.t_max);
+  return triangles_.occluded(ray.line(), ray.t_max, ray.time);
 }
 
 Surface World::surface(const Ray& ray, const Hit& hit) const {
   if (hit.kind == SurfaceKind::triangle) return triangle_surface(ray, hit);
   Surface s;
   s.p = ray.origin + ray.direction * hit.t;
+  s.time = ray.time;
   s.kind = hit.kind;
   s.patch = hit.patch;
   s.index = hit.index;
   s.place = hit.place;
   s.is_complement = hit.is_complement;
   if (hit.kind == SurfaceKind::solid) {
-    const Vec3d n = solids_.outward_normal(hit.place, hit.index, hit.patch, s.p);
+    const Vec3d n = solids_.outward_normal(hit.place, hit.index, hit.patch, s.p, ray.time);
     s.geometric_normal = hit.is_complement ? -n : n;
   } else {
     s.geometric_normal =
@@ -143,7 +145,7 @@ Surface World::surface(const Ray& ray, const Hit& hit) const {
 }
 
 Surface World::triangle_surface(const Ray& ray, const Hit& hit) const {
-  const Corners c = triangles_.corners(hit.index, hit.triangle);
+  const Corners c = triangles_.corners(hit.index, hit.triangle, ray.time);
   const MeshPlacement& placement = triangles_.placement(hit.index);
   const TriangleMesh& mesh = *placement.mesh;
   TriangleHit at{hit.t, hit.index, hit.triangle, hit.b1, hit.b2};
@@ -151,17 +153,19 @@ Surface World::triangle_surface(const Ray& ray, const Hit& hit) const {
   Surface s;
   s.kind = SurfaceKind::triangle;
   s.index = hit.index;
+  s.time = ray.time;
   s.p = c.p0 * (1.0 - at.b1 - at.b2) + c.p1 * at.b1 + c.p2 * at.b2;
   const Vec3d winding = cross(c.p1 - c.p0, c.p2 - c.p0);
   s.geometric_normal = normalize(placement.world_from_mesh.mirrors() ? -winding : winding);
   s.shading_normal = s.geometric_normal;
-  s.self_distance = triangles_.self_distance(s.p, hit.index, c);
+  s.self_distance = triangles_.self_distance(s.p, hit.index, c, ray.time);
   if (mesh.normals.empty()) return s;
   const auto& corner = mesh.triangles[hit.triangle];
   const Vec3d smooth = Vec3d(mesh.normals[corner[0]]) * (1.0 - at.b1 - at.b2) +
                        Vec3d(mesh.normals[corner[1]]) * at.b1 +
                        Vec3d(mesh.normals[corner[2]]) * at.b2;
-  const Vec3d n = placement.world_from_mesh.normal(smooth);
+  const Vec3d n = placement.motion ? placement.motion->at(ray.time).normal(smooth)
+                                   : placement.world_from_mesh.normal(smooth);
   const double size = length(n);
   if (size > 0.0) s.shading_normal = facing(n / size, s.geometric_normal);
   return s;
@@ -170,29 +174,39 @@ Surface World::triangle_surface(const Ray& ray, const Hit& hit) const {
 SurfaceUv World::surface_uv(const Hit& hit, const Surface& surface) const {
   switch (hit.kind) {
     case SurfaceKind::solid:
-      return solids_.surface_uv(hit.place, hit.worn_leaf, hit.worn_patch, surface.p);
+      return solids_.surface_uv(hit.place, hit.worn_leaf, hit.worn_patch, surface.p, surface.time);
     case SurfaceKind::sheet:
       return geometry::surface_uv(stated_sheets_[hit.index], surface.p);
     case SurfaceKind::triangle:
-      return triangle_uv(hit);
+      return triangle_uv(hit, surface.time);
     case SurfaceKind::none:
       break;
   }
   return {};
 }
 
-SurfaceUv World::triangle_uv(const Hit& hit) const {
-  const Corners c = triangles_.corners(hit.index, hit.triangle);
+SurfaceUv World::triangle_uv(const Hit& hit, double time) const {
+  const Corners c = triangles_.corners(hit.index, hit.triangle, time);
   const TriangleMesh& mesh = *triangles_.placement(hit.index).mesh;
   const Vec3d e1 = c.p1 - c.p0, e2 = c.p2 - c.p0;
-  if (mesh.uvs.empty()) return {{hit.b1, hit.b2}, e1, e2};
   const auto& corner = mesh.triangles[hit.triangle];
-  const auto uv = [&](std::size_t i) {
-    const Vec2f f = mesh.uvs[corner[i]];
-    return Vec2d{static_cast<double>(f.x), static_cast<double>(f.y)};
-  };
-  const Vec2d d1 = uv(1) - uv(0), d2 = uv(2) - uv(0);
-  const Vec2d at = uv(0) + d1 * hit.b1 + d2 * hit.b2;
+  Vec2d origin, d1, d2;
+  if (mesh.uvs.empty()) {
+    // Along two edges in units of their lengths, as the mesh was written, wherever it stands.
+    const Vec3d p0 = mesh.position(corner[0]);
+    const Vec3d own1 = mesh.position(corner[1]) - p0, own2 = mesh.position(corner[2]) - p0;
+    const double mixed = dot(own1, own2);
+    d1 = {1.0, mixed / length_squared(own2)};
+    d2 = {mixed / length_squared(own1), 1.0};
+  } else {
+    const auto uv = [&](std::size_t i) {
+      const Vec2f f = mesh.uvs[corner[i]];
+      return Vec2d{static_cast<double>(f.x), static_cast<double>(f.y)};
+    };
+    origin = uv(0);
+    d1 = uv(1) - origin, d2 = uv(2) - origin;
+  }
+  const Vec2d at = origin + d1 * hit.b1 + d2 * hit.b2;
   const double det = d1.x * d2.y - d1.y * d2.x;
   if (det == 0.0) return {at, e1, e2};  // the chart is folded flat here: any basis is as good
   return {at, (e1 * d2.y - e2 * d1.y) / det, (e2 * d1.x - e1 * d2.x) / det};
@@ -203,6 +217,7 @@ Ray World::leave(const Surface& surface, Vec3d direction) {
   const bool out_of_leaf = outward != surface.is_complement;
   Ray ray;
   ray.direction = direction;
+  ray.time = surface.time;
   ray.from = {surface.kind,  out_of_leaf ? Crossing::leave : Crossing::enter,
               surface.patch, surface.index,
               surface.place, surface.displacement};

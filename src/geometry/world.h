@@ -22,6 +22,7 @@ struct Surface {
   Patch patch = 0;
   std::uint32_t index = 0;
   std::uint32_t place = 0;
+  double time = 0;           ///< of the ray that met it
   double displacement = 0;   ///< of a solid or sheet: how far off it `p` may be
   double self_distance = 0;  ///< along the normal, where rays that leave a triangle start
 };
@@ -52,11 +53,13 @@ class World {
 
   /// The surface of a hit that `nearest(ray)` returned.
   Surface surface(const Ray& ray, const Hit& hit) const;
-  /// Of a solid: those of the leaf whose surface shows.
+  /// Coordinates on it. Of a solid: those of the leaf whose surface shows. A mesh without any has
+  /// those of each triangle for itself: with d1 = p2 - p1 and d2 = p3 - p1,
+  /// u = d1.(p - p1) / d1.d1 and v = d2.(p - p1) / d2.d2.
   SurfaceUv surface_uv(const Hit& hit, const Surface& surface) const;
 
-  /// A ray that leaves `surface` towards `direction`, on whichever side that is, and does not meet
-  /// that surface again where it starts.
+  /// A ray that leaves `surface` towards `direction` at the time it was met, on whichever side that
+  /// is, and does not meet that surface again where it starts.
   static Ray leave(const Surface& surface, Vec3d direction);
 
   /// Of everything bounded; empty when nothing is.
@@ -71,7 +74,7 @@ class World {
   void nearest_triangle(const Ray& ray, Hit& hit) const;
   std::optional<Event> meet_sheet(std::uint32_t sheet, const Ray& ray) const;
   Surface triangle_surface(const Ray& ray, const Hit& hit) const;
-  SurfaceUv triangle_uv(const Hit& hit) const;
+  SurfaceUv triangle_uv(const Hit& hit, double time) const;
 
   SolidScene solids_;
   std::vector<Sheet> stated_sheets_;

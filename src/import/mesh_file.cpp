@@ -38,8 +38,9 @@ description::ObjectPtr MeshFiles::read(const std::filesystem::path& file,
       read_obj(file, {.warnings = warnings_, .allow = allow_, .normals = options.normals});
   description::Mesh mesh;
   // What no file defines (no `newmtl` line) is left for the object's own material to fill.
+  const MtlReading reading{warnings_, images_, allow_};
   for (const MtlMaterial& material : obj.materials) {
-    mesh.materials.push_back(material.where.line > 0 ? to_material(material, warnings_) : nullptr);
+    mesh.materials.push_back(material.where.line > 0 ? to_material(material, reading) : nullptr);
   }
   mesh.triangles = std::make_shared<const geometry::TriangleMesh>(std::move(obj.mesh));
   auto fresh = std::make_shared<description::Object>();

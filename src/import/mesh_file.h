@@ -8,6 +8,7 @@
 #include "base/log.h"
 #include "description/object.h"
 #include "import/find_file.h"
+#include "import/image_file.h"
 #include "import/obj.h"
 
 namespace lapidary::import {
@@ -29,8 +30,10 @@ std::shared_ptr<const Transform> upright(UpAxis up);
 class MeshFiles {
  public:
   /// `warnings` may be null. `allow` says which files a mesh file may refer to; empty: any.
-  explicit MeshFiles(WarningLog* warnings = nullptr, AllowFile allow = {})
-      : warnings_(warnings), allow_(std::move(allow)) {}
+  /// Pictures come through `images`, which must outlive this; null: materials have none.
+  explicit MeshFiles(WarningLog* warnings = nullptr, AllowFile allow = {},
+                     ImageFiles* images = nullptr)
+      : warnings_(warnings), allow_(std::move(allow)), images_(images) {}
 
   /// The file as an object with its materials, called like the file and standing upright. Throws
   /// Error when it cannot be read or has no triangles.
@@ -39,6 +42,7 @@ class MeshFiles {
  private:
   WarningLog* warnings_;
   AllowFile allow_;
+  ImageFiles* images_;
   std::map<std::pair<std::filesystem::path, MeshOptions>, description::ObjectPtr> read_;
 };
 

@@ -88,20 +88,58 @@ std::size_t behind_option(const std::vector<Word>& words, std::size_t i, OptionA
   return end;
 }
 
-// The file name of a texture statement: the words, blanks between them included, that are no
+struct TextureStatement {
+  std::string file;  // may be empty
+  MtlTextureOptions options;
+};
+
+// Word i as a number; `otherwise` when there is none.
+double number_of(const std::vector<Word>& words, std::size_t i, std::size_t end, double otherwise) {
+  if (i >= end || !is_number(words[i].text)) return otherwise;
+  const char* p = words[i].text.c_str();
+  double value = otherwise;
+  parse_number(p, value);
+  return value;
+}
+
+// Takes the option at words[i], with arguments up to `end`.
+void take_option(const std::vector<Word>& words, std::size_t i, std::size_t end,
+                 MtlTextureOptions& options) {
+  const std::string name = lower(words[i].text);
+  const auto number = [&](std::size_t k, double otherwise) {
+    return number_of(words, i + 1 + k, end, otherwise);
+  };
+  if (name == "-s") options.scale = {number(0, 1), number(1, 1)};
+  if (name == "-o") options.offset = {number(0, 0), number(1, 0)};
+  if (name == "-mm") options.base = number(0, 0), options.gain = number(1, 1);
+  if (name == "-bm") options.bump_multiplier = number(0, 1);
+  if (i + 1 >= end) return;
+  const std::string argument = lower(words[i + 1].text);
+  if (name == "-clamp") options.clamp = argument == "on";
+  if (name == "-imfchan") options.scalar_channel = argument[0];
+}
+
+// The file name of a texture statement is the words, blanks between them included, that are no
 // options and belong to none. Options may also stand behind it.
-std::string texture_file_name(const std::string& statement) {
+TextureStatement parse_texture(const std::string& statement) {
   const std::vector<Word> words = split(statement);
-  std::size_t first = 0;
-  while (first < words.size()) {
-    const auto arguments = option_arguments(words[first].text);
-    if (!arguments) break;
-    first = behind_option(words, first, *arguments);
+  TextureStatement parsed;
+  std::size_t first = words.size(), last = 0;  // of the name
+  for (std::size_t i = 0; i < words.size();) {
+    const auto arguments = option_arguments(words[i].text);
+    const std::size_t end = arguments ? behind_option(words, i, *arguments) : i + 1;
+    if (arguments) {
+      take_option(words, i, end, parsed.options);
+    } else if (first > i || last == i) {
+      first = std::min(first, i);
+      last = end;
+    }
+    i = end;
   }
-  std::size_t last = first;
-  while (last < words.size() && !option_arguments(words[last].text)) ++last;
-  if (first == last) return {};
-  return statement.substr(words[first].begin, words[last - 1].end - words[first].begin);
+  if (first < last) {
+    parsed.file = statement.substr(words[first].begin, words[last - 1].end - words[first].begin);
+  }
+  return parsed;
 }
 
 class MtlParser {
@@ -209,12 +247,14 @@ void MtlParser::illum() {
 }
 
 void MtlParser::texture(MtlChannel channel, Location where) {
-  const std::string name = texture_file_name(cursor_.rest());
-  if (name.empty()) {
+  TextureStatement parsed = parse_texture(cursor_.rest());
+  if (parsed.file.empty()) {
     warn(std::move(where), "texture without a file name is ignored");
     return;
   }
-  materials_.back().textures.push_back({channel, resolve(folder_, name), std::move(where)});
+  const std::filesystem::path file = resolve(folder_, parsed.file);
+  materials_.back().textures.push_back(
+      {channel, file, std::move(where), std::move(parsed.file), parsed.options});
 }
 
 }  // namespace

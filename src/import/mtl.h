@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "math/vec.h"
 #include "spectrum/wavelengths.h"
 
 namespace lapidary::import {
@@ -32,10 +33,23 @@ enum class MtlChannel : std::uint8_t {
   sheen          ///< map_Ps
 };
 
+/// What a texture statement says besides its file.
+struct MtlTextureOptions {
+  Vec2d scale{1, 1};                      ///< -s: of (u, v), before the offset
+  Vec2d offset;                           ///< -o
+  double base = 0;                        ///< -mm: is added to all values
+  double gain = 1;                        ///< and what they are multiplied by before
+  std::optional<double> bump_multiplier;  ///< -bm
+  char scalar_channel = 'l';              ///< -imfchan: r, g, b, m, l or z
+  bool clamp = false;                     ///< -clamp on: nothing is beside the picture
+};
+
 struct MtlTexture {
   MtlChannel channel = MtlChannel::diffuse;
   std::filesystem::path file;  ///< as stated, relative to the MTL file's folder; may not exist
   Location where;
+  std::string stated = {};  ///< the file as it stands there
+  MtlTextureOptions options = {};
 };
 
 /// A material of an MTL file, as stated there. Colours are linear numbers as in the file; what the

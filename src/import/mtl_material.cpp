@@ -45,6 +45,41 @@ double roughness(const MtlMaterial& mtl) {
   return std::clamp(std::pow(2.0 / (mtl.shininess + 2.0), 0.25), 0.0, 1.0);
 }
 
+/// The same where a texture says it, which multiplies the exponent that is stated.
+texture::Number roughness(const MtlMaterial& mtl, MtlTextures& textures) {
+  using Operation = texture::Arithmetic::Operation;
+  if (auto texture = textures.number(MtlChannel::roughness)) return texture;
+  if (mtl.roughness || !(mtl.shininess > 0.0)) return roughness(mtl);
+  const auto map = textures.number(MtlChannel::shininess);
+  if (!map) return roughness(mtl);
+  const auto reckoned = [](Operation operation, texture::Operand a, texture::Operand b) {
+    return std::make_shared<const texture::Texture>(
+        texture::Arithmetic{operation, {std::move(a), std::move(b)}});
+  };
+  const auto exponent = reckoned(Operation::multiply, texture::Color(map), mtl.shininess);
+  const auto width = reckoned(Operation::add, texture::Color(exponent), 2.0);
+  const auto alpha2 = reckoned(Operation::divide, 2.0, texture::Color(width));
+  return reckoned(Operation::power, texture::Color(alpha2), 0.25);
+}
+
+/// A texture multiplies the colour that is stated with it; but black, or the grey that stands where
+/// nothing was stated, is what many programs write for "as the texture".
+texture::Color textured(texture::TexturePtr texture, Rgb stated) {
+  if (!texture) return Spectrum::reflectance(stated);
+  if (brightest(stated) <= 0.0f || stated == MtlMaterial().diffuse || stated == Rgb{1, 1, 1}) {
+    return texture;
+  }
+  return std::make_shared<const texture::Texture>(texture::Arithmetic{
+      texture::Arithmetic::Operation::multiply,
+      {texture::Color(std::move(texture)), texture::Color(Spectrum::reflectance(stated))}});
+}
+
+texture::Color diffuse_color(const MtlMaterial& mtl, MtlTextures& textures) {
+  const auto texture = textures.color(MtlChannel::diffuse);
+  return texture ? textured(texture, clamped(mtl.diffuse, 1.0f))
+                 : Spectrum::reflectance(diffuse_color(mtl));
+}
+
 description::Glass to_glass(const MtlMaterial& mtl) {
   constexpr double least = 1.01, most = 10, usual = 1.5;
   const double index = mtl.index.value_or(usual);
@@ -54,35 +89,43 @@ description::Glass to_glass(const MtlMaterial& mtl) {
   return glass;
 }
 
-description::Metal to_metal(const MtlMaterial& mtl) {
-  const Rgb color = mtl.metallic ? diffuse_color(mtl) : clamped(mtl.specular, 1.0f);
-  return {Spectrum::reflectance(color), roughness(mtl)};
+description::Metal to_metal(const MtlMaterial& mtl, MtlTextures& textures) {
+  texture::Color color =
+      mtl.metallic ? diffuse_color(mtl, textures)
+                   : textured(textures.color(MtlChannel::specular), clamped(mtl.specular, 1.0f));
+  return {std::move(color), roughness(mtl, textures)};
 }
 
-void warn_of_textures(const MtlMaterial& mtl, WarningLog* warnings) {
-  if (!warnings || mtl.textures.empty()) return;
-  warnings->add(mtl.where,
-                fmt::format("material '{}': its {} left out, textures are not in this "
-                            "version",
-                            mtl.name, mtl.textures.size() == 1 ? "texture is" : "textures are"));
+/// Clear bodies have no gaps: what lets light pass is made of glass by then.
+description::SurfaceDetail to_detail(const MtlMaterial& mtl, MtlTextures& textures) {
+  description::SurfaceDetail detail;
+  if (!lets_light_pass(mtl)) {
+    if (auto map = textures.number(MtlChannel::dissolve)) detail.opacity = map;
+  }
+  if (auto height = textures.height()) detail.bump = height;
+  if (auto normals = textures.normals()) detail.normal = normals;
+  return detail;
 }
 
 }  // namespace
 
-description::MaterialPtr to_material(const MtlMaterial& mtl, WarningLog* warnings) {
-  warn_of_textures(mtl, warnings);
+description::MaterialPtr to_material(const MtlMaterial& mtl, const MtlReading& reading) {
+  MtlTextures textures(mtl, reading);
   auto material = std::make_shared<description::Material>();
   if (brightest(mtl.emission) > 0.0f) {
     const Rgb light = clamped(mtl.emission, 1e30f);
-    material->model =
-        description::Emissive{{description::Quantity::radiance, Spectrum::illuminant(light)}};
+    description::Emissive glow({description::Quantity::radiance, Spectrum::illuminant(light)});
+    if (auto pattern = textures.color(MtlChannel::emission)) glow.pattern = pattern;
+    material->model = std::move(glow);
   } else if (lets_light_pass(mtl)) {
     material->model = to_glass(mtl);
   } else if (is_metal(mtl)) {
-    material->model = to_metal(mtl);
+    material->model = to_metal(mtl, textures);
   } else {
-    material->model = description::Matte{Spectrum::reflectance(diffuse_color(mtl))};
+    material->model = description::Matte{diffuse_color(mtl, textures)};
   }
+  material->detail = to_detail(mtl, textures);
+  textures.warn_of_the_rest();
   material->name = mtl.name;
   material->where = {std::make_shared<const std::string>(mtl.where.file), mtl.where.line};
   return material;

@@ -19,6 +19,7 @@ geometry::SolidScene lone_body(const description::Leaf& leaf) {
   // What it wears does not matter here; wearing something itself, it is filled with that.
   standing.material = description::default_material();
   standing.attributes = nullptr;
+  standing.motion = nullptr;  // as it is when the frame begins
   ObjectPtr body = std::make_shared<const description::Object>(std::move(standing));
   for (const description::Removed& removed : leaf.removed) {
     ObjectPtr piece = removed.solid;

@@ -33,7 +33,8 @@ struct ProbeHit {
   std::string medium_before, medium_after;
 };
 
-/// All surfaces of a scene along any ray, as a renderer has them; needs no camera and no lights.
+/// All surfaces of a scene along any ray, as a renderer has them when the frame begins; needs no
+/// camera and no lights.
 ///
 /// Solids have a surface where the medium changes, as geometry::Sweep says. A sheet or triangle
 /// that cannot be told from such a place comes before it and has its t. Triangles are met in

@@ -12,14 +12,22 @@ CombinationLight::CombinationLight(std::shared_ptr<const geometry::CompoundSurfa
 
 std::optional<LightSample> CombinationLight::sample_illumination(
     Vec3d p, const LightNumbers& numbers, const Wavelengths& wavelengths) const {
-  const auto drawn = surface_->draw(numbers.u, numbers.part, place_.own ? place_.own->point(p) : p);
+  return place_.at(numbers.time, [&](const std::optional<geometry::OwnSpace>& own) {
+    return sample_in(own, p, numbers, wavelengths);
+  });
+}
+
+std::optional<LightSample> CombinationLight::sample_in(const std::optional<geometry::OwnSpace>& own,
+                                                       Vec3d p, const LightNumbers& numbers,
+                                                       const Wavelengths& wavelengths) const {
+  const auto drawn = surface_->draw(numbers.u, numbers.part, own ? own->point(p) : p);
   if (!drawn) return {};
   const geometry::LeafPoint& on_leaf = drawn->on_leaf;
   SurfacePoint from{on_leaf.p, on_leaf.normal, on_leaf.density};
-  if (place_.own) {
-    const Transform& map = place_.own->world_from_own();
+  if (own) {
+    const Transform& map = own->world_from_own();
     from.point = map.point(on_leaf.p);
-    from.normal = normalize(place_.own->world_normal(on_leaf.normal));
+    from.normal = normalize(own->world_normal(on_leaf.normal));
     from.pdf_area /= length(geometry::cofactors(map.linear()) * on_leaf.normal);
   }
   // On which sides it shines the surface has seen to.
@@ -32,16 +40,20 @@ std::optional<LightSample> CombinationLight::sample_illumination(
 }
 
 double CombinationLight::pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const {
+  if (hit.on_leaf.place != place_.number) return 0.0;
+  const double density = place_.at(
+      hit.time, [&](const std::optional<geometry::OwnSpace>& own) { return density_in(own, hit); });
+  return pdf_illumination_from(density, p, wi, hit);
+}
+
+double CombinationLight::density_in(const std::optional<geometry::OwnSpace>& own,
+                                    const LightHit& hit) const {
   const auto [place, leaf, patch] = hit.on_leaf;
-  if (place != place_.number) return 0.0;
-  if (!place_.own) {
-    return pdf_illumination_from(surface_->density(leaf, patch, hit.point), p, wi, hit);
-  }
+  if (!own) return surface_->density(leaf, patch, hit.point);
   // |cofactors(m) n| for the normal n of the compound, from the unit normal in the world.
-  const Mat3& m = place_.own->world_from_own().linear();
+  const Mat3& m = own->world_from_own().linear();
   const double stretch = std::abs(determinant(m)) / length(transpose(m) * hit.normal);
-  const double density = surface_->density(leaf, patch, place_.own->point(hit.point));
-  return pdf_illumination_from(density / stretch, p, wi, hit);
+  return surface_->density(leaf, patch, own->point(hit.point)) / stretch;
 }
 
 SampledSpectrum CombinationLight::emitted(Vec3d wi, const LightHit& hit,
@@ -55,7 +67,11 @@ double CombinationLight::power(double) const {
 
 Influence CombinationLight::influence() const {
   Box3d box = surface_->bounds();
-  if (place_.own) box = place_.own->world_from_own().box(box);
+  if (place_.motion) {
+    box = place_.motion->swept(box);
+  } else if (place_.own) {
+    box = place_.own->world_from_own().box(box);
+  }
   return {.reach = Influence::Reach::around,
           .strength = power(0) / (4.0 * pi),
           .center = box.center(),

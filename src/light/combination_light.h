@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "geometry/compound_surface.h"
-#include "geometry/own_space.h"
+#include "geometry/moving_transform.h"
 #include "light/area_sample.h"
 #include "light/influence.h"
 
@@ -23,6 +23,14 @@ class CombinationLight {
   struct Place {
     std::uint32_t number = 0;                    ///< geometry::Transition::place
     std::optional<geometry::OwnSpace> own = {};  ///< nothing for the world itself
+    std::shared_ptr<const geometry::MovingTransform> motion = nullptr;  ///< null: at rest
+
+    /// What `use` makes of its own coordinates, if it has any, at a time of the frame.
+    template <typename Use>
+    auto at(double time, Use&& use) const {
+      if (!motion) return use(own);
+      return use(std::optional(motion->space_at(time)));
+    }
   };
 
   /// `surface` is in the coordinates of the compound; `area`, in the world, that of what is there
@@ -39,6 +47,12 @@ class CombinationLight {
   Influence influence() const;
 
  private:
+  std::optional<LightSample> sample_in(const std::optional<geometry::OwnSpace>& own, Vec3d p,
+                                       const LightNumbers& numbers,
+                                       const Wavelengths& wavelengths) const;
+  /// Per area, of the point that was met.
+  double density_in(const std::optional<geometry::OwnSpace>& own, const LightHit& hit) const;
+
   std::shared_ptr<const geometry::CompoundSurface> surface_;
   Place place_;
   double area_ = 0;

@@ -34,12 +34,14 @@ struct LightHit {
   Vec3d point;
   Vec3d normal;  ///< unit length, geometric (not interpolated), out of solids or to the front
   geometry::LeafPatch on_leaf;  ///< of a solid: the leaf that wears the light
+  double time = 0;              ///< of the ray
 };
 
-/// The numbers that a light is sampled with, all uniform in [0, 1).
+/// The numbers that a light is sampled with: uniform in [0, 1), and the time.
 struct LightNumbers {
   double part = 0;  ///< chooses a triangle or a patch; what is left from choosing the light will do
   Vec2d u;
+  double time = 0;  ///< of the frame, when the light leaves
 };
 
 /// Density per solid angle, at a distance, of a point drawn with `pdf_area` on a surface; 0 where

@@ -43,7 +43,7 @@ class BandColors {
   std::array<Rgb, band_count> colors_;
 };
 
-/// Takes all bands down row by row: the upper half of the picture, and what it gives the ground.
+/// The sky, and what it gives level ground.
 struct UpperHalf {
   std::vector<Rgb> pixels;  ///< rows of half the picture's width
   Bands irradiance{};

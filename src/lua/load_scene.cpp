@@ -7,6 +7,8 @@
 #include "description/methods.h"
 #include "description/node_readers.h"
 #include "description/nodes.h"
+#include "description/texture_arithmetic.h"
+#include "import/image_node.h"
 #include "import/mesh_node.h"
 #include "lua/interpreter.h"
 #include "lua/nodes.h"
@@ -19,14 +21,16 @@ namespace {
 namespace fs = std::filesystem;
 using description::ObjectListReader;
 using description::SceneDescription;
+using import::ImageFiles;
 using import::MeshFiles;
 
 constexpr auto what_to_return = "end the file with: return scene { objects = { ... } }";
 
 /// All kinds of nodes, in the order of the reference.
-std::vector<schema::NodeKind> node_kinds(MeshFiles& meshes) {
+std::vector<schema::NodeKind> node_kinds(MeshFiles& meshes, ImageFiles& images) {
   auto kinds = description::node_kinds();
   kinds.push_back(import::mesh_kind(meshes));
+  kinds.push_back(import::image_kind(images));
   return kinds;
 }
 
@@ -68,9 +72,11 @@ LoadedScene load_scene(const fs::path& scene, const LoadOptions& options) {
   check_exists(scene);
   Parameters parameters(options.settings);
   const FolderGuard guard(scene.parent_path(), options.allowed);
-  MeshFiles meshes(options.warnings, [&guard](const fs::path& file) { return guard.allows(file); });
-  const auto kinds = node_kinds(meshes);
-  const auto methods = description::object_methods();
+  ImageFiles images;
+  MeshFiles meshes(
+      options.warnings, [&guard](const fs::path& file) { return guard.allows(file); }, &images);
+  const auto kinds = node_kinds(meshes, images);
+  const NodeMethods methods;
   Interpreter interpreter(options.limits, guard, options.print);
   SceneDescription description;
   interpreter.run([&](lua_State* L) {
@@ -90,9 +96,11 @@ LoadedScene load_scene(const fs::path& scene, const LoadOptions& options) {
 
 std::vector<schema::NodeInfo> node_infos() {
   MeshFiles meshes;
+  ImageFiles images;
   std::vector<schema::NodeInfo> infos;
-  for (auto& kind : node_kinds(meshes)) infos.push_back(std::move(kind.info));
+  for (auto& kind : node_kinds(meshes, images)) infos.push_back(std::move(kind.info));
   for (auto& info : description::operator_infos()) infos.push_back(std::move(info));
+  for (auto& info : description::texture_operator_infos()) infos.push_back(std::move(info));
   for (auto& method : description::object_methods()) infos.push_back(std::move(method.info));
   infos.push_back(description::color_info());
   infos.push_back(Parameters::info());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "description/methods.h"
 #include "lua/lua_api.h"
@@ -15,9 +16,14 @@ const schema::Node* node_at(lua_State* L, int index);
 /// Pushes `node`; throws Error when memory is used up.
 void push_node(lua_State* L, schema::Node node);
 
-/// Defines the global function of every kind that has a constructor, and the methods of objects.
-/// Both lists must outlive `L`.
-void open_nodes(lua_State* L, std::span<const schema::NodeKind> kinds,
-                std::span<const description::Method> methods);
+/// What nodes can be asked for.
+struct NodeMethods {
+  std::vector<description::Method> objects = description::object_methods();
+  std::vector<description::TextureMethod> textures = description::texture_methods();
+};
+
+/// Defines the global function of every kind that has a constructor, and the methods of objects and
+/// textures. Both arguments must outlive `L`.
+void open_nodes(lua_State* L, std::span<const schema::NodeKind> kinds, const NodeMethods& methods);
 
 }  // namespace lapidary::lua

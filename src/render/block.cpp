@@ -34,12 +34,12 @@ film::PixelSample BlockRenderer::sample_pixel(Vec2d size, int x, int y, const Pa
   const auto u = points.block(0);
   const Vec2d offset = settings_.filter.sample({u[0], u[1]});
   const Vec2d film{(x + 0.5 + offset.x) / size.x, (y + 0.5 + offset.y) / size.y};
-  geometry::Ray ray = camera::generate_ray(scene_.camera(), film, {u[2], u[3]});
-  ray.time = u[4];
+  const auto ray = camera::generate_ray(scene_.camera(), {film, {u[2], u[3]}, u[4]});
+  if (!ray) return {};
 
   transport::FirstSurface first;
   const SampledSpectrum L =
-      tracer_.radiance(ray, {pass.wavelengths, points, counters, pass.cone}, first);
+      tracer_.radiance(*ray, {pass.wavelengths, points, counters, pass.cone}, first);
   return {pass.wavelengths.to_rgb(L), first.albedo, Vec3f(first.normal),
           static_cast<float>(first.depth), first.object};
 }

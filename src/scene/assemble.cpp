@@ -193,6 +193,8 @@ class Assembler {
 
   void add(const Leaf& leaf);
   std::optional<std::uint32_t> assembly_of(const Leaf& leaf);
+  std::uint32_t new_assembly(const Leaf& leaf);
+  void refuse_sections(const Leaf& leaf) const;
   Expression::Term root_of(const Leaf& leaf, SolidWriter& writer);
   std::uint32_t slot(const MaterialPtr& material, const TextureFrame& frame);
   SolidWriter::TagOf tags(TextureFrame::Base base);
@@ -239,7 +241,7 @@ void Assembler::add(const Leaf& leaf) {
       description::as_glass(*filling) ? geometry::Opacity::transparent : geometry::Opacity::opaque;
   if (const auto assembly = assembly_of(leaf)) {
     region.instance = static_cast<std::uint32_t>(solids_.instances.size());
-    solids_.instances.push_back({*assembly, leaf.world_from_object});
+    solids_.instances.push_back({*assembly, leaf.world_from_object, leaf.motion});
   } else {
     SolidWriter writer(solids_.expression, meshes_, tags(TextureFrame::Base::world), most_);
     region.root = root_of(leaf, writer);
@@ -261,24 +263,38 @@ Expression::Term Assembler::root_of(const Leaf& leaf, SolidWriter& writer) {
                            : solids_.expression.add(geometry::Operation::intersect, terms);
 }
 
-/// What `leaf` is an instance of.
+std::uint32_t Assembler::new_assembly(const Leaf& leaf) {
+  geometry::Assembly assembly;
+  SolidWriter writer(assembly.expression, meshes_, tags(TextureFrame::Base::place), most_);
+  assembly.root = writer.write(leaf.object, {}, leaf.cut);
+  solids_.assemblies.push_back(std::move(assembly));
+  return static_cast<std::uint32_t>(solids_.assemblies.size() - 1);
+}
+
+/// What `leaf` is an instance of: it moves, or stands in several places.
 std::optional<std::uint32_t> Assembler::assembly_of(const Leaf& leaf) {
+  if (leaf.motion) refuse_sections(leaf);
   const auto design = design_of(leaf);
-  if (!design || cut_by_scene_) return std::nullopt;
+  if (!design) return leaf.motion ? std::optional(new_assembly(leaf)) : std::nullopt;
+  if (cut_by_scene_) return std::nullopt;
   Uses& uses = uses_.at(*design);
-  if (uses.count < 2) return std::nullopt;
-  if (!uses.assembly) {
+  if (uses.assembly) return uses.assembly;
+  if (!leaf.motion) {
+    if (uses.count < 2) return std::nullopt;
     if (description::operand_count(leaf.object) <= largest_copied) {
       uses.count = 1;  // not asked again
       return std::nullopt;
     }
-    geometry::Assembly assembly;
-    SolidWriter writer(assembly.expression, meshes_, tags(TextureFrame::Base::place), most_);
-    assembly.root = writer.write(leaf.object, {}, leaf.cut);
-    uses.assembly = static_cast<std::uint32_t>(solids_.assemblies.size());
-    solids_.assemblies.push_back(std::move(assembly));
   }
+  uses.assembly = new_assembly(leaf);
   return uses.assembly;
+}
+
+void Assembler::refuse_sections(const Leaf& leaf) const {
+  if (leaf.removed.empty() && !cut_by_scene_) return;
+  throw Error(
+      leaf.object.where.location(), "a section cannot cut what moves",
+      "leave out the motion, or subtract the solid from the object: (a - b):motion { ... }");
 }
 
 }  // namespace

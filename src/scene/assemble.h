@@ -42,7 +42,8 @@ struct Solids {
 
 /// States the solids of `scene`: sheets are not among them, nor are meshes that nothing cuts. Parts
 /// that several combinations use are stated once for each place where they stand, and a combination
-/// of more than `largest_copied` leaves that stands in several places is stated once.
+/// of more than `largest_copied` leaves that stands in several places is stated once. What moves is
+/// an instance of its own.
 ///
 /// A leaf wears its own material, else that of the innermost combination around it that has one or,
 /// in what a difference takes away, that of what it is taken from, which comes after the
@@ -52,7 +53,8 @@ struct Solids {
 /// wear. A combination is filled with its `interior` or its own material or, where it has neither,
 /// with what all its parts agree on.
 ///
-/// Throws Error at the object where it is a mesh in an operation, where parts disagree about what
+/// Throws Error at the object where it is a mesh in an operation, where a part of a combination
+/// moves by itself or a section cuts what moves, where parts disagree about what
 /// fills the whole, or where there are more than `most` leaves.
 Solids assemble(const description::SceneDescription& scene, std::size_t most = most_leaves);
 

@@ -148,6 +148,10 @@ std::uint32_t Builder::medium_number(const description::Glass& glass) {
 }
 
 void Builder::add_sheet(const Leaf& leaf, const geometry::Sheet& sheet) {
+  if (leaf.motion) {
+    throw Error(leaf.object.where.location(), "a flat sheet cannot move",
+                "use a thin box or a flat cylinder");
+  }
   if (description::as_glass(*leaf.material) != nullptr && !description::is_thin(*leaf.material)) {
     throw Error(leaf.object.where.location(), "a flat sheet cannot be made of glass",
                 "glass fills a body: use thin_glass, or a thin box");
@@ -162,14 +166,15 @@ void Builder::add_sheet(const Leaf& leaf, const geometry::Sheet& sheet) {
 
 void Builder::add_mesh(const Leaf& leaf, const description::Mesh& mesh) {
   const geometry::TriangleMesh& triangles = *mesh.triangles;
-  const Box3d box = leaf.world_from_object.box(geometry::bounds(triangles));
+  const Box3d own_box = geometry::bounds(triangles);
+  const Box3d box = leaf.motion ? leaf.motion->swept(own_box) : leaf.world_from_object.box(own_box);
   const double largest = std::max(max_component(abs(box.min)), max_component(abs(box.max)));
   if (!(largest < geometry::TriangleScene::largest_coordinate)) {
     throw Error(leaf.object.where.location(), "the mesh reaches too far for single precision",
                 "scale it down: coordinates must stay below 1e18");
   }
   const geometry::MeshPlacement& placement =
-      world_.meshes.emplace_back(mesh.triangles, leaf.world_from_object);
+      world_.meshes.emplace_back(mesh.triangles, leaf.world_from_object, leaf.motion);
   parts_.mesh_slots.push_back(static_cast<std::uint32_t>(parts_.slots.size()));
   Filling& filling = parts_.mesh_fillings.emplace_back();
   const MaterialPtr& inside = leaf.interior ? leaf.interior : leaf.material;
@@ -191,6 +196,10 @@ void Builder::add_mesh(const Leaf& leaf, const description::Mesh& mesh) {
     worn.push_back(own ? &mesh.materials[part] : &leaf.material);
     wearers.push_back(own ? &leaf.world_from_object : &leaf.world_from_wearer);
     emits = emits || emission_of(**worn.back()) != nullptr;
+  }
+  if (emits && leaf.motion) {
+    throw Error(leaf.object.where.location(), "a mesh that moves cannot give light",
+                "make it of solids, which can");
   }
   if (emits) {
     for (std::uint32_t i = 0; i < triangles.triangles.size(); ++i) {

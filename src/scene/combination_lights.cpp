@@ -193,8 +193,10 @@ std::optional<light::Light> CombinationLights::light_of(const SolidRegion& regio
   light::CombinationLight::Place stands{place};
   Transform map;
   if (region.region.instance != geometry::Region::no_instance) {
-    map = solids_.instances[region.region.instance].world_from_assembly;
+    const geometry::Instance& instance = solids_.instances[region.region.instance];
+    map = instance.world_from_assembly;
     stands.own = geometry::OwnSpace(map);
+    stands.motion = instance.motion;
   }
   const description::Emission& emitted = *emission(tag);
   geometry::AreaEstimate area;

@@ -26,6 +26,11 @@ bool takes_away(SetOperation operation) {
               "use a thin box or a flat cylinder");
 }
 
+[[noreturn]] void refuse_motion(const Object& operand) {
+  throw Error(operand.where.location(), "what moves cannot be a part of a combination",
+              "let the whole combination move: (a - b):motion { ... }");
+}
+
 }  // namespace
 
 std::size_t SolidWriter::HashOfPlace::operator()(const Place& place) const {
@@ -82,6 +87,7 @@ SolidWriter::Term SolidWriter::finish() {
 
 void SolidWriter::enter(const Object& object, const Transform& world_from_parent, const Wear& above,
                         Use use) {
+  if (object.motion) refuse_motion(object);
   const Transform world_from_object =
       object.placement ? world_from_parent * *object.placement : world_from_parent;
   Wear wear = above;

@@ -24,13 +24,17 @@ constexpr double fov = 30;  // degrees: longer than the default, so that objects
 
 Box3d bounds_of(const description::Leaf& leaf) {
   const Transform& t = leaf.world_from_object;
+  const auto placed = [&](const Box3d& own) {
+    return leaf.motion ? leaf.motion->swept(own) : t.box(own);
+  };
   if (const auto* solid = std::get_if<geometry::Solid>(&leaf.object.content)) {
-    return t.box(geometry::bounds(*solid));
+    return placed(geometry::bounds(*solid));
   }
   if (const auto* sheet = std::get_if<geometry::Sheet>(&leaf.object.content)) {
-    return t.box(geometry::bounds(*sheet));
+    return placed(geometry::bounds(*sheet));
   }
   if (const auto* mesh = std::get_if<description::Mesh>(&leaf.object.content)) {
+    if (leaf.motion) return placed(geometry::bounds(*mesh->triangles));
     // The box of the turned vertices, not of the turned box: a framing should be tight.
     Box3d box;
     for (std::uint32_t i = 0; i < mesh->triangles->positions.size(); ++i) {
@@ -39,7 +43,7 @@ Box3d bounds_of(const description::Leaf& leaf) {
     return box;
   }
   if (const auto* combination = leaf.object.combination()) {
-    return t.box(description::bounds(*combination));
+    return placed(description::bounds(*combination));
   }
   return {};
 }

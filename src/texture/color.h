@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <variant>
 
@@ -19,6 +20,8 @@ class Number {
 
   /// The value that is the same everywhere; null when it is a texture's.
   const double* constant() const { return std::get_if<double>(&value_); }
+  /// Null when it is the same everywhere.
+  const TexturePtr* texture() const { return std::get_if<TexturePtr>(&value_); }
   double at(const Lookup& lookup) const {
     const double* same = constant();
     return same != nullptr ? *same : evaluate(lookup);
@@ -40,10 +43,14 @@ class Color {
   Color(TexturePtr texture) : value_(std::move(texture)) {}      // NOLINT
 
   const Constant* constant() const { return std::get_if<Constant>(&value_); }
+  /// Null when it is the same everywhere.
+  const TexturePtr* texture() const { return std::get_if<TexturePtr>(&value_); }
   SampledSpectrum at(const Lookup& lookup, const Wavelengths& wavelengths) const {
     return in(SpectralPalette{wavelengths}, lookup);
   }
   Rgb rgb_at(const Lookup& lookup) const { return in(RgbPalette{}, lookup); }
+  /// As a number: of a constant the luminance, else what the texture has for one.
+  double number_at(const Lookup& lookup) const;
   /// The same for those who do not know which: see palette.h.
   template <typename Palette>
   typename Palette::Value in(const Palette& palette, const Lookup& lookup) const {
@@ -58,5 +65,16 @@ class Color {
 
   std::variant<Constant, TexturePtr> value_;
 };
+
+/// One colour, the other, or a mixture with `share` of the second. The one that does not count is
+/// not looked at.
+template <typename Palette>
+typename Palette::Value blend(const std::array<Color, 2>& colors, double share,
+                              const Palette& palette, const Lookup& lookup) {
+  if (!(share > 0.0)) return colors[0].in(palette, lookup);
+  if (!(share < 1.0)) return colors[1].in(palette, lookup);
+  const auto second = static_cast<float>(share);
+  return colors[0].in(palette, lookup) * (1.0f - second) + colors[1].in(palette, lookup) * second;
+}
 
 }  // namespace lapidary::texture

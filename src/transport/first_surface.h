@@ -11,7 +11,7 @@ namespace lapidary::transport {
 struct FirstSurface {
   Rgb albedo;
   Vec3d normal;              ///< shading normal towards the camera; zero when nothing is hit
-  double depth = 0;          ///< along the view
+  double depth = 0;          ///< camera::depth
   std::uint32_t object = 0;  ///< from 1; 0 when nothing is hit
 };
 

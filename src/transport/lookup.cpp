@@ -35,6 +35,39 @@ Vec2d uv_step(const geometry::SurfaceUv& at, Vec3d step) {
   return {(vv * u - uv * v) / determinant, (uu * v - uv * u) / determinant};
 }
 
+/// A piece of a surface on its way from one space to another.
+struct Piece {
+  Vec3d p, normal;  ///< the normal a covector: not of unit length
+  Vec3d across, along;
+
+  /// From coordinates that something stands in to its own.
+  Piece into(const geometry::OwnSpace& space) const {
+    const Mat3& m = space.own_from_world();
+    return {space.point(p), space.normal(normal), m * across, m * along};
+  }
+  Piece mapped(const Transform& map) const {
+    return {map.point(p), map.normal(normal), map.vector(across), map.vector(along)};
+  }
+};
+
+/// From the world at the time of the hit to what the frame of the textures stands in.
+Piece in_base(const scene::Scene& scene, const Met& met, scene::TextureFrame::Base base,
+              const Piece& in_world) {
+  const geometry::World& world = scene.world();
+  const double time = met.surface.time;
+  if (met.hit.kind == geometry::SurfaceKind::triangle) {
+    const geometry::MeshPlacement& placement = world.triangles().placement(met.hit.index);
+    if (!placement.motion) return in_world;
+    return in_world.into(placement.motion->space_at(time)).mapped(placement.world_from_mesh);
+  }
+  if (met.hit.kind != geometry::SurfaceKind::solid || met.hit.place == 0) return in_world;
+  const geometry::SolidScene::Place& place = world.solids().places()[met.hit.place - 1];
+  if (base == scene::TextureFrame::Base::world && !place.motion) return in_world;
+  const Piece own = place.at(time, [&](const auto& space) { return in_world.into(space); });
+  if (base == scene::TextureFrame::Base::place) return own;
+  return own.mapped(place.space.world_from_own());  // where it was when the frame began
+}
+
 }  // namespace
 
 SurfaceLookup lookup_at(const scene::Scene& scene, const Met& met) {
@@ -43,21 +76,14 @@ SurfaceLookup lookup_at(const scene::Scene& scene, const Met& met) {
   const scene::TextureFrame& frame = scene.texture_frame(number);
   const Footprint world = footprint(met);
   const geometry::SurfaceUv at = scene.world().surface_uv(met.hit, met.surface);
-  Vec3d p = met.surface.p, n = met.surface.geometric_normal;
-  Vec3d across = world.across, along = world.along;
-  if (frame.base == scene::TextureFrame::Base::place) {
-    const auto& space = scene.world().solids().places()[met.hit.place - 1].space;
-    p = space.point(p);
-    n = space.normal(n);
-    across = space.own_from_world() * across;
-    along = space.own_from_world() * along;
-  }
-  const Transform wearer_from_base = frame.base_from_wearer.inverse();
+  const Piece in_world{met.surface.p, met.surface.geometric_normal, world.across, world.along};
+  const Piece worn =
+      in_base(scene, met, frame.base, in_world).mapped(frame.base_from_wearer.inverse());
   texture::Lookup lookup;
-  lookup.p = wearer_from_base.point(p);
-  lookup.normal = normalize(wearer_from_base.normal(n));
-  lookup.dpdx = wearer_from_base.vector(across);
-  lookup.dpdy = wearer_from_base.vector(along);
+  lookup.p = worn.p;
+  lookup.normal = normalize(worn.normal);
+  lookup.dpdx = worn.across;
+  lookup.dpdy = worn.along;
   lookup.uv = at.uv;
   lookup.duvdx = uv_step(at, world.across);
   lookup.duvdy = uv_step(at, world.along);

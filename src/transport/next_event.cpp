@@ -55,7 +55,7 @@ SampledSpectrum NextEvent::direct_light(const Place& place, const VertexPoints& 
   if (scene_.light_selector() == nullptr) return {};
   const auto choice = scene_.light_selector()->choose(vertex.lit, points.light_choice());
   if (choice.probability == 0.0) return {};
-  const light::LightNumbers numbers{choice.remainder, points.light_position()};
+  const light::LightNumbers numbers{choice.remainder, points.light_position(), vertex.surface.time};
   const light::Light& light = scene_.lights()[choice.index];
   const auto sample =
       light::sample_illumination(light, vertex.surface.p, numbers, context.wavelengths);
@@ -81,7 +81,6 @@ SampledSpectrum NextEvent::direct_light(const Place& place, const VertexPoints& 
 SampledSpectrum NextEvent::arriving(std::uint32_t index, const light::LightSample& sample,
                                     const Place& place, const SampleContext& context) const {
   Ray shadow = ray_to_light(place.vertex.surface, sample);
-  shadow.time = place.time;
   if (sample.on_leaf || scene_.has_pattern(index)) {
     const geometry::LeafPatch* leaf = sample.on_leaf ? &*sample.on_leaf : nullptr;
     return met_share({index, leaf, shadow.t_max}, shadow, place.cone, context);
@@ -109,7 +108,7 @@ bool NextEvent::is_drawn_point(const Target& target, const Sight& sight) const {
   }
   const bool is_front = hit.crossing == geometry::Crossing::enter;
   if (hit.kind != SurfaceKind::solid || !is_front || on_leaf(hit) != *target.leaf) return false;
-  return scene_.world().solids().is_same_crossing(*target.leaf, sight.ray.line(),
+  return scene_.world().solids().is_same_crossing(*target.leaf, sight.ray,
                                                   target.distance - sight.passed, hit.t);
 }
 

@@ -28,7 +28,6 @@ class NextEvent {
     const Vertex& vertex;
     const MediaPair& media;
     camera::Cone cone;  ///< of the path there
-    double time;
   };
 
   /// Radiance that the vertex scatters along the path, from one light, weighted by the power

@@ -130,9 +130,7 @@ void Path::cross(const Surface& surface, Vec3d direction) {
 
 void Path::pass_through(const Surface& surface) {
   cross(surface, ray_.direction);
-  const double time = ray_.time;
   ray_ = geometry::World::leave(surface, ray_.direction);
-  ray_.time = time;
 }
 
 bool Path::scatter(const Vertex& vertex, const VertexPoints& points) {
@@ -150,9 +148,7 @@ bool Path::scatter(const Vertex& vertex, const VertexPoints& points) {
   origin_ = {vertex.lit, sample->pdf, sample->lobe};
   if (sample->lobe != Lobe::specular) cone_.spread = std::max(cone_.spread, spread(sample->pdf));
   if ((sample->wi.z > 0.0) != (vertex.wo.z > 0.0)) cross(vertex.surface, direction);
-  const double time = ray_.time;
   ray_ = geometry::World::leave(vertex.surface, direction);
-  ray_.time = time;
   presence_.reset();
   return true;
 }
@@ -199,11 +195,12 @@ SampledSpectrum Path::trace(const Ray& camera_ray, FirstSurface& first) {
       const bool from_behind = dot(surface.shading_normal, ray_.direction) > 0.0;
       first = {material.albedo.rgb_at(lookup.at),
                from_behind ? -surface.shading_normal : surface.shading_normal,
-               camera::depth(scene_.camera(), surface.p), scene_.object_index(hit) + 1};
+               camera::depth(scene_.camera(), surface.p, ray_.time), scene_.object_index(hit) + 1};
     }
     if (slot.light != scene::Slot::no_light) {
       const std::uint32_t light = scene_.light_index(hit);
-      SampledSpectrum Le = light_met(light, {surface.p, surface.geometric_normal, on_leaf(hit)});
+      SampledSpectrum Le =
+          light_met(light, {surface.p, surface.geometric_normal, on_leaf(hit), surface.time});
       if (scene_.has_pattern(light)) Le *= pattern_at(scene_, material, met, context_.wavelengths);
       L_ += beta_ * Le;
     }
@@ -221,7 +218,7 @@ SampledSpectrum Path::trace(const Ray& camera_ray, FirstSurface& first) {
                                       context_.wavelengths, carried_);
     const VertexPoints points(context_.points, depth_);
     if (!is_specular(vertex.bsdf)) {
-      const NextEvent::Place place{vertex, media, cone_, ray_.time};
+      const NextEvent::Place place{vertex, media, cone_};
       L_ += beta_ * next_event_.direct_light(place, points, context_);
     }
     if (!scatter(vertex, points)) break;

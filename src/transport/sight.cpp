@@ -27,7 +27,6 @@ Sight look(const scene::Scene& scene, geometry::Ray ray, camera::Cone cone, Coun
     sight.share *= 1.0 - there;
     sight.passed += hit.t;
     sight.ray = geometry::World::leave(surface, ray.direction);
-    sight.ray.time = ray.time;
     sight.ray.t_max = ray.t_max - sight.passed;
   }
 }

@@ -1,38 +1,16 @@
 #include "camera/camera.h"
 
-#include <gtest/gtest.h>
-
-#include "support/chi_squared.h"
+#include "cameras.h"
 #include "support/random.h"
 
 namespace lapidary::camera {
 namespace {
 
-using geometry::Ray;
-using lapidary::test::Random;
-
-Perspective some_camera(double lens_radius = 0.0) {
-  Perspective c;
-  c.position = {1, -3, 2};
-  c.frame = look_at(c.position, {0.2, 0.5, 0.7}, {0, 0, 1});
-  c.half_width = 0.6;
-  c.half_height = 0.4;
-  c.lens_radius = lens_radius;
-  c.focus_distance = 2.5;
-  return c;
-}
-
-/// Where a ray crosses the plane at distance `d` in front of a camera, right and up.
-Vec2d on_plane(const Perspective& c, const Ray& ray, double d) {
-  const Vec3d o = c.frame.to_local(ray.origin - c.position);
-  const Vec3d w = c.frame.to_local(ray.direction);
-  const Vec3d p = o + w * ((-d - o.z) / w.z);
-  return {p.x, p.y};
-}
-
-void expect_near(Vec3d a, Vec3d b, double tolerance = 1e-14) {
-  EXPECT_LE(length(a - b), tolerance) << a.x << ' ' << a.y << ' ' << a.z;
-}
+using test::expect_near;
+using test::own_ray;
+using test::Random;
+using test::some_lens;
+using test::some_pose;
 
 TEST(LookAt, PutsTheViewInTheMiddleAndUpUpright) {
   const Frame f = look_at({1, 2, 3}, {4, 6, 3}, {0, 0, 1});
@@ -51,18 +29,20 @@ TEST(LookAt, PutsTheViewInTheMiddleAndUpUpright) {
   }
 }
 
+TEST(TurnTo, KeepsUpAndTurnsAsFarAsItCan) {
+  const Frame f = turn_to({1, 2, 3}, {4, 6, 9}, {0, 0, 2});
+  expect_near(f.normal, {-0.6, -0.8, 0});
+  expect_near(f.bitangent, {0, 0, 1});
+  expect_near(f.tangent, {0.8, -0.6, 0});
+}
+
 TEST(Perspective, LooksThroughItsPictureFromTheTopLeft) {
-  const Perspective c = some_camera();
-  const auto direction = [&](Vec2d film) {
-    const Ray ray = generate_ray(c, film, {0.3, 0.9});
-    EXPECT_EQ(ray.origin, c.position);
-    EXPECT_NEAR(length(ray.direction), 1.0, 1e-15);
-    EXPECT_EQ(ray.from.kind, geometry::SurfaceKind::none);
-    return on_plane(c, ray, 1.0);
-  };
+  const Camera c{some_lens(), some_pose()};
   const auto expect = [&](Vec2d film, double x, double y) {
-    EXPECT_NEAR(direction(film).x, x, 1e-14);
-    EXPECT_NEAR(direction(film).y, y, 1e-14);
+    const test::OwnRay ray = own_ray(c, film, {0.3, 0.9});
+    EXPECT_EQ(ray.origin, Vec3d());
+    EXPECT_NEAR(ray.at_distance(1.0).x, x, 1e-14);
+    EXPECT_NEAR(ray.at_distance(1.0).y, y, 1e-14);
   };
   expect({0.5, 0.5}, 0, 0);
   expect({0, 0}, -0.6, 0.4);
@@ -71,85 +51,72 @@ TEST(Perspective, LooksThroughItsPictureFromTheTopLeft) {
   expect({0.25, 0.5}, -0.3, 0);
 }
 
-TEST(Orthographic, SendsParallelRays) {
-  const Frame frame = look_at({0, -5, 0}, {0, 0, 0}, {0, 0, 1});
-  const Camera c = Orthographic{{0, -5, 0}, frame, 3, 2};
-  expect_near(generate_ray(c, {0, 0}, {}).origin, {-3, -5, 2});
-  expect_near(generate_ray(c, {1, 1}, {}).origin, {3, -5, -2});
-  expect_near(generate_ray(c, {0.2, 0.7}, {}).direction, {0, 1, 0});
+TEST(Perspective, SlidesItsPicture) {
+  Perspective lens = some_lens();
+  lens.shift = {0.5, -0.3};
+  const Vec2d middle = own_ray({lens, some_pose()}, {0.5, 0.5}).at_distance(1.0);
+  EXPECT_NEAR(middle.x, 0.5, 1e-14);
+  EXPECT_NEAR(middle.y, -0.3, 1e-14);
+  const Vec2d corner = own_ray({lens, some_pose()}, {1, 0}).at_distance(1.0);
+  EXPECT_NEAR(corner.x, 1.1, 1e-14);
+  EXPECT_NEAR(corner.y, 0.1, 1e-14);
 }
 
-TEST(Depth, IsTheDistanceAlongTheView) {
-  const Camera c = some_camera(0.1);
+TEST(Orthographic, SendsParallelRays) {
+  const Frame frame = look_at({0, -5, 0}, {0, 0, 0}, {0, 0, 1});
+  const Camera c{Orthographic{3, 2}, {{0, -5, 0}, frame}};
+  expect_near(generate_ray(c, {{0, 0}, {}})->origin, {-3, -5, 2});
+  expect_near(generate_ray(c, {{1, 1}, {}})->origin, {3, -5, -2});
+  expect_near(generate_ray(c, {{0.2, 0.7}, {}})->direction, {0, 1, 0});
+}
+
+TEST(Depth, IsTheDistanceAlongTheViewOrFromWhatSeesAround) {
+  const Pose pose = some_pose();
+  const Camera flat[] = {{some_lens(0.1), pose}, {Orthographic{}, pose}};
+  const Camera round[] = {{Panorama{}, pose}, {Fisheye{}, pose}};
   Random random(2);
   for (int i = 0; i < 100; ++i) {
     const double t = random.uniform(0.0, 9.0);
     const Vec3d aside = random.direction();
-    const Frame& f = some_camera().frame;
-    const Vec3d p = some_camera().position - f.normal * t + f.tangent * aside.x + f.bitangent;
-    EXPECT_NEAR(depth(c, p), t, 1e-13);
+    const Frame& f = pose.frame;
+    const Vec3d p = pose.position - f.normal * t + f.tangent * aside.x + f.bitangent;
+    for (const Camera& c : flat) EXPECT_NEAR(depth(c, p, 0.3), t, 1e-13);
+    for (const Camera& c : round) EXPECT_NEAR(depth(c, p, 0.3), std::hypot(t, aside.x, 1.0), 1e-13);
   }
 }
 
-// The lens is a disk about the position, across the view, used evenly.
-TEST(ThinLens, IsUsedEvenly) {
-  const Perspective c = some_camera(0.3);
-  const auto on_lens = [&](Random& random) -> std::optional<Vec2d> {
-    const Vec3d o =
-        c.frame.to_local(generate_ray(c, {0.2, 0.4}, random.uniform2()).origin - c.position);
-    EXPECT_NEAR(o.z, 0.0, 1e-14);
-    return Vec2d{o.x, o.y};
+// Half way through a turn by 90 degrees the frame has turned by 45, and is one still.
+TEST(Motion, GoesStraightAndTurnsEvenly) {
+  const Pose begin = some_pose();
+  const Vec3d axis = normalize(Vec3d{1, -2, 0.5});
+  const auto turned = [&](double angle) {
+    const Transform r = Transform::rotation(axis, angle);
+    return Frame{r.vector(begin.frame.tangent), r.vector(begin.frame.bitangent),
+                 r.vector(begin.frame.normal)};
   };
-  const auto density = [](Vec2d p) {
-    return p.x * p.x + p.y * p.y <= 0.09 ? 1.0 / (pi * 0.09) : 0.0;
-  };
-  // False alarm: 1e-4.
-  const auto result = lapidary::test::test_points({{-0.3, -0.3}, {0.3, 0.3}, 12, 12}, on_lens,
-                                                  density, {.samples = 50000, .max_depth = 7});
-  EXPECT_TRUE(result.accepted) << result.message;
-}
-
-TEST(ThinLens, IsSharpAtTheFocusDistance) {
-  const Perspective c = some_camera(0.3);
-  Random random(3);
-  for (int i = 0; i < 1000; ++i) {
-    const Vec2d film = random.uniform2();
-    const Ray pinhole = generate_ray(some_camera(), film, {});
-    const Ray ray = generate_ray(c, film, random.uniform2());
-    const Vec2d sharp = on_plane(c, pinhole, 2.5), p = on_plane(c, ray, 2.5);
-    EXPECT_NEAR(p.x, sharp.x, 1e-13);
-    EXPECT_NEAR(p.y, sharp.y, 1e-13);
-    EXPECT_NEAR(length(ray.direction), 1.0, 1e-15);
+  const PoseMotion motion(begin, {{4, 0, 2}, turned(2.5)});
+  for (const double time : {0.0, 0.25, 0.5, 0.9, 1.0}) {
+    const Pose pose = motion.at(time);
+    expect_near(pose.position, begin.position + Vec3d{3, 3, 0} * time);
+    const Frame f = turned(2.5 * time);
+    expect_near(pose.frame.tangent, f.tangent);
+    expect_near(pose.frame.bitangent, f.bitangent);
+    expect_near(pose.frame.normal, f.normal);
+    expect_near(cross(pose.frame.tangent, pose.frame.bitangent), pose.frame.normal);
   }
 }
 
-// At distance d the rays of one point of the film fill evenly the disk of radius R |d - f| / f
-// about where the pinhole's ray goes; projected back into the sharp plane that is the circle of
-// confusion, of diameter A |d - f| / d.
-TEST(ThinLens, BlursEvenlyOverTheCircleOfConfusion) {
-  const double R = 0.3, f = 2.5;
-  const Perspective c = some_camera(R);
-  for (const double d : {0.5, 2.0, 3.0, 40.0}) {
-    const double radius = R * std::abs(d - f) / f;
-    Random random(4);
-    double largest = 0.0, mean_square = 0.0, x = 0.0, y = 0.0;
-    constexpr int count = 40000;
-    for (int i = 0; i < count; ++i) {
-      const Vec2d film{0.9, 0.15};
-      const Vec2d middle = on_plane(c, generate_ray(some_camera(), film, {}), d);
-      const Vec2d p = on_plane(c, generate_ray(c, film, random.uniform2()), d) - middle;
-      const double r = std::hypot(p.x, p.y);
-      largest = std::max(largest, r);
-      mean_square += r * r / count;
-      x += p.x / count, y += p.y / count;
-    }
-    EXPECT_LE(largest, radius * (1 + 1e-12));
-    EXPECT_GT(largest, radius * 0.999);
-    // Of an even disk: r^2 has the mean radius^2 / 2 and the deviation radius^2 / sqrt(12), a
-    // coordinate the deviation radius / 2. 4 standard errors: false alarm 6e-5 each.
-    EXPECT_NEAR(mean_square, 0.5 * radius * radius, 4 * radius * radius / std::sqrt(12.0 * count));
-    EXPECT_NEAR(x, 0.0, 4 * 0.5 * radius / std::sqrt(count));
-    EXPECT_NEAR(y, 0.0, 4 * 0.5 * radius / std::sqrt(count));
+TEST(Motion, IsSeenWhileTheShutterIsOpen) {
+  Camera c{some_lens(), some_pose()};
+  const Pose end{c.pose.position + Vec3d{8, 0, 0}, c.pose.frame};
+  c.motion.emplace(c.pose, end);
+  c.shutter = {0.25, 0.75};
+  for (const double share : {0.0, 0.5, 0.875}) {
+    const auto ray = generate_ray(c, {{0.5, 0.5}, {}, share});
+    const double time = 0.25 + 0.5 * share;
+    EXPECT_EQ(ray->time, time);
+    expect_near(ray->origin, c.pose.position + Vec3d{8 * time, 0, 0});
+    EXPECT_NEAR(depth(c, ray->origin + ray->direction * 3.0, time), 3.0, 1e-14);
   }
 }
 

@@ -70,8 +70,32 @@ TEST_F(MethodTest, SingularMapsAreRefused) {
   EXPECT_THAT(make_.call_error(*ball_, "transform", "{{1,0,0,0}, {0,1,0,0}, {0,0,1,0}, {0,0,1,1}}"),
               HasSubstr("value [4] of transform must be {0, 0, 0, 1}"));
   const auto tiny = make_.call(*ball_, "scale", "1e-200");
-  EXPECT_THAT(make_.call_error(*tiny, "scale", "1e-200"),
-              HasSubstr("leaves nothing of the object"));
+  EXPECT_THAT(make_.call_error(*tiny, "scale", "1e-200"), HasSubstr("leaves nothing"));
+}
+
+TEST_F(MethodTest, MotionsAreReadAndCarriedAlong) {
+  const auto there = make_.call(*ball_, "translate", "{1, 2, 3}");
+  const auto moving = make_.call(*there, "motion", "{translate = {z = 4}, rotate = {z = 720}}");
+  ASSERT_TRUE(moving->motion);
+  EXPECT_EQ(moving->parent_from_object().point({}), Vec3d(1, 2, 3));
+  const geometry::Motion& m = moving->motion->motion;
+  EXPECT_EQ(m.center, Vec3d(1, 2, 3));
+  EXPECT_EQ(m.travel, Vec3d(0, 0, 4));
+  EXPECT_EQ(m.turn.axis, Vec3d(0, 0, 1));
+  EXPECT_NEAR(m.turn.angle, 4 * std::acos(-1.0), 1e-14) << "twice around";
+  EXPECT_EQ(m.scale, Vec3d(1, 1, 1));
+
+  const auto tilted = make_.call(*ball_, "motion", "{rotate = {x = 90, y = 90}, scale = {z = 2}}");
+  EXPECT_NEAR(tilted->motion->motion.turn.angle, 2 * std::acos(-1.0) / 3, 1e-14) << "the least";
+  EXPECT_EQ(tilted->motion->motion.scale, Vec3d(1, 1, 2));
+  const auto given = make_.call(*ball_, "motion", "{rotate = {axis = {0, 3, 0}, angle = 400}}");
+  EXPECT_EQ(given->motion->motion.turn.axis, Vec3d(0, 1, 0));
+  EXPECT_NEAR(given->motion->motion.turn.angle, 400 * std::acos(-1.0) / 180, 1e-14);
+
+  EXPECT_THAT(make_.call_error(*moving, "motion", "{}"), HasSubstr("what moves already"));
+  EXPECT_THAT(make_.call_error(*ball_, "motion", "{scale = 0}"), HasSubstr("from 0.001 to 1000"));
+  EXPECT_THAT(make_.call_error(*ball_, "motion", "{turn = {z = 3}}"),
+              HasSubstr("unknown parameter 'turn' of motion"));
 }
 
 TEST_F(MethodTest, WrongArgumentsAreNamed) {

@@ -246,6 +246,84 @@ TEST_F(NodeTest, CamerasCheckTheirView) {
   EXPECT_THAT(make_.error_of("perspective", "{focus = 0}"), HasSubstr("greater than 0"));
 }
 
+TEST_F(NodeTest, LensesAreShapedShiftedAndTilted) {
+  const auto lens = make_.model<Perspective, Camera>(
+      "perspective",
+      "{blades = 6, blade_rotation = 15, anamorphic = 2, shift = {y = 0.25}, tilt = {10, -20}}");
+  EXPECT_EQ(lens.blades, 6);
+  EXPECT_EQ(lens.blade_rotation, 15);
+  EXPECT_EQ(lens.anamorphic, 2);
+  EXPECT_EQ(lens.shift, Vec2d({0, 0.25}));
+  EXPECT_EQ(lens.tilt, Vec2d({10, -20}));
+  // The plane that leans by 45 degrees through a point 1 above the axis meets it 1 before that.
+  const auto focused = make_.model<Perspective, Camera>(
+      "perspective", "{from = {0, -4, 0}, focus = {0.5, 2, 1}, tilt = {x = 45}}");
+  EXPECT_NEAR(focused.focus_distance.value(), 5, 1e-14);
+
+  EXPECT_THAT(make_.error_of("perspective", "{blades = 2}"),
+              HasSubstr("blades of perspective must be at least 3, not 2"));
+  EXPECT_THAT(make_.error_of("perspective", "{blades = 1}"), HasSubstr("at least 3, not 1"));
+  EXPECT_THAT(make_.error_of("perspective", "{blades = -3}"), HasSubstr("from 0 to 1000"));
+  EXPECT_THAT(make_.error_of("perspective", "{tilt = {90, 0}}"),
+              HasSubstr("tilt.x of perspective must be greater than -90 and less than 90"));
+  EXPECT_THAT(make_.error_of("perspective", "{shift = 1}"), HasSubstr("must be {x, y}, not 1"));
+  EXPECT_THAT(make_.error_of("perspective", "{shift = {z = 1}}"), HasSubstr("one of x, y"));
+  EXPECT_THAT(make_.error_of("perspective", "{anamorphic = 0}"), HasSubstr("from 0.01 to 100"));
+  EXPECT_THAT(
+      make_.error_of("perspective", "{from = {0, -4, 0}, focus = {0, 0, 3}, tilt = {x = 80}}"),
+      HasSubstr("passes behind the camera"));
+}
+
+TEST_F(NodeTest, CamerasThatSeeAroundCheckHowFar) {
+  const auto around = make_.model<Panorama, Camera>(
+      "panorama", "{from = {0, 0, 1}, at = {0, 1, 1}, longitude = {-90, 45}, latitude = {0, 90}}");
+  EXPECT_EQ(around.view.at, Vec3d(0, 1, 1));
+  EXPECT_EQ(around.longitude, Vec2d({-90, 45}));
+  EXPECT_EQ(around.latitude, Vec2d({0, 90}));
+  const auto eye = make_.model<Fisheye, Camera>("fisheye", "{fov = 360, mapping = 'equisolid'}");
+  EXPECT_EQ(eye.fov, 360);
+  EXPECT_EQ(eye.mapping, FisheyeMapping::equisolid);
+
+  EXPECT_THAT(make_.error_of("panorama", "{longitude = {-200, 200}}"),
+              HasSubstr("longitude of panorama must span at most 360 degrees, not 400"));
+  EXPECT_THAT(make_.error_of("panorama", "{latitude = {10, -10}}"),
+              HasSubstr("must ascend, not go from 10 to -10"));
+  EXPECT_THAT(make_.error_of("panorama", "{latitude = {-90, 91}}"), HasSubstr("from -90 to 90"));
+  EXPECT_THAT(make_.error_of("fisheye", "{fov = 361}"),
+              HasSubstr("fov of fisheye must be greater than 0 and at most 360"));
+  EXPECT_THAT(make_.error_of("fisheye", "{fov = 360, mapping = 'stereographic'}"),
+              HasSubstr("less than 360 where the mapping is stereographic"));
+  EXPECT_THAT(make_.error_of("fisheye", "{fov = 200, mapping = 'orthographic'}"),
+              HasSubstr("at most 180 where the mapping is orthographic, not 200"));
+  EXPECT_THAT(make_.error_of("fisheye", "{mapping = 'equidistand'}"), HasSubstr("equidistant"));
+}
+
+TEST_F(NodeTest, CamerasMoveWhileTheShutterIsOpen) {
+  const auto still = make_.make<Camera>("fisheye", "{}");
+  EXPECT_FALSE(still->view_at_end);
+  EXPECT_EQ(still->shutter.open, 0);
+  EXPECT_EQ(still->shutter.close, 1);
+  const auto moving =
+      make_.make<Camera>("perspective",
+                         "{from = {0, -4, 0}, at = {1, 0, 0}, motion = {from = {2, -4, 0}}, "
+                         "shutter = 0.5}");
+  EXPECT_EQ(moving->view_at_end.value().from, Vec3d(2, -4, 0));
+  EXPECT_EQ(moving->view_at_end.value().at, Vec3d(1, 0, 0));
+  EXPECT_EQ(moving->shutter.open, 0);
+  EXPECT_EQ(moving->shutter.close, 0.5);
+  EXPECT_EQ(make_.make<Camera>("orthographic", "{shutter = {0.25, 0.75}}")->shutter.open, 0.25);
+
+  EXPECT_THAT(make_.error_of("perspective", "{shutter = {0.5, 0.25}}"),
+              HasSubstr("shutter of perspective closes at 0.25, before it opens at 0.5"));
+  EXPECT_THAT(make_.error_of("perspective", "{shutter = 1.5}"), HasSubstr("from 0 to 1"));
+  EXPECT_THAT(make_.error_of("perspective", "{shutter = 'slow'}"),
+              HasSubstr("must be a number or {open, close}, not the string 'slow'"));
+  EXPECT_THAT(make_.error_of("perspective", "{at = {0, 0, 0}, motion = {from = {0, 0, 0}}}"),
+              HasSubstr("motion.at of perspective must differ from 'from'"));
+  EXPECT_THAT(make_.error_of("perspective", "{motion = {form = {1, 2, 3}}}"),
+              HasSubstr("did you mean 'from'?"));
+}
+
 TEST_F(NodeTest, ScenesSortTheirParts) {
   const schema::Node ball = make_.node("sphere", "{}");
   const schema::Node lamp = make_.node("sphere_light", "{power = 1}");

@@ -37,6 +37,37 @@ TEST_F(ObjectTest, LeavesInheritFromTheirGroups) {
   EXPECT_THAT(origins, ElementsAre(Vec3d(1, 0, 1), Vec3d(1, 0, 1), Vec3d(1, 0, 0)));
 }
 
+// A wheel that turns once about its hub on a cart that rolls on, seen from a turned world.
+TEST_F(ObjectTest, MotionsNest) {
+  geometry::Motion spin, roll;
+  spin.turn = {{0, 1, 0}, 2 * pi};
+  roll.travel = {4, 0, 0};
+  const auto rim = moved(*cube_, Transform::translation({1, 0, 0}));
+  const auto wheel = with_motion(*make_group({rim, ball_}, {}), spin);
+  const auto cart =
+      with_motion(*make_group({moved(*wheel, Transform::translation({0, 0, 1})), cube_}, {}), roll);
+  const auto turned = moved(*cart, Transform::rotation({0, 0, 1}, 0.5 * pi));
+  const ObjectPtr objects[] = {turned, cube_};
+  std::vector<std::shared_ptr<const geometry::MovingTransform>> motions;
+  for_each_leaf(objects, [&](const Leaf& leaf) {
+    motions.push_back(leaf.motion);
+    if (!leaf.motion) return;
+    for (const Vec3d& p : {Vec3d{}, Vec3d{1, 2, 3}}) {
+      EXPECT_LT(length(leaf.motion->at(0).point(p) - leaf.world_from_object.point(p)), 1e-14);
+    }
+  });
+  ASSERT_EQ(motions.size(), 4u);
+  EXPECT_FALSE(motions[3]);
+  const auto where = [&](std::size_t leaf, double time) {
+    return motions[leaf]->at(time).point({});
+  };
+  // The rim goes backwards over the hub, by a quarter of a turn: from (1, 0, 1) down to (0, 0, 0),
+  // while the cart has gone 1; x of the cart is y of the world.
+  EXPECT_LT(length(where(0, 0.25) - Vec3d(0, 1, 0)), 1e-14);
+  EXPECT_LT(length(where(1, 0.25) - Vec3d(0, 1, 1)), 1e-14);
+  EXPECT_LT(length(where(2, 0.75) - Vec3d(0, 3, 0)), 1e-14);
+}
+
 TEST_F(ObjectTest, CopiesShareWhatTheyHaveInCommon) {
   const auto group = make_group({ball_, cube_}, {});
   const auto copy = moved(*group, Transform::translation({1, 0, 0}));

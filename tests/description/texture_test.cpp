@@ -8,6 +8,7 @@ namespace {
 
 using testing::HasSubstr;
 using texture::Checker;
+using texture::Projection;
 using texture::Texture;
 
 class TextureTest : public testing::Test {
@@ -52,8 +53,8 @@ TEST_F(TextureTest, CheckersHaveTwoColors) {
   const auto board = kind<Checker>("checker", "{'red', 0.5}");
   EXPECT_EQ(board.colors[0], texture::Color(Spectrum::reflectance({1, 0, 0})));
   EXPECT_EQ(board.colors[1], texture::Color(Spectrum::reflectance({0.5f, 0.5f, 0.5f})));
-  EXPECT_EQ(board.space, Checker::Space::object);
-  EXPECT_EQ(kind<Checker>("checker", "{mapping = 'uv'}").space, Checker::Space::surface);
+  EXPECT_EQ(board.mapping.projection, Projection::object);
+  EXPECT_EQ(kind<Checker>("checker", "{mapping = 'uv'}").mapping.projection, Projection::uv);
   EXPECT_THAT(make_.error_of("checker", "{'red'}"),
               HasSubstr("colors of checker must be a list of two colors, not the string 'red'"));
   EXPECT_THAT(make_.error_of("checker", "{'red', 'blu'}"), HasSubstr("colors[2] of checker names"));

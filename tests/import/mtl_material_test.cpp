@@ -15,7 +15,7 @@ using description::Metal;
 
 description::MaterialPtr material_of(std::string_view mtl, WarningLog* warnings = nullptr) {
   const auto materials = parse_mtl("newmtl m\n" + std::string(mtl), "a.mtl", nullptr);
-  return to_material(materials.at(0), warnings);
+  return to_material(materials.at(0), {.warnings = warnings});
 }
 
 template <typename Model>
@@ -62,13 +62,14 @@ TEST(MtlMaterial, WhatOnlyReflectsIsMetal) {
   EXPECT_NO_THROW(model_of<Matte>("Kd 0 0 0\n"));
 }
 
-TEST(MtlMaterial, TexturesAreReported) {
+TEST(MtlMaterial, TexturesThatCannotBeReadAreReported) {
   WarningLog log;
   const auto material = material_of("Kd 0 0 0\nmap_Kd wood.png\n", &log);
   EXPECT_NEAR(at(550.0, std::get<Matte>(material->model).color), 0.8, 1e-3);
   const auto warnings = log.take();
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_THAT(to_string(warnings[0]), testing::HasSubstr("material 'm': its texture is left out"));
+  EXPECT_THAT(to_string(warnings[0]),
+              testing::HasSubstr("material 'm': 1 of its textures is left out"));
 }
 
 TEST(MtlMaterial, KeepsNameAndPlace) {

@@ -139,5 +139,29 @@ TEST(Mtl, NamesTheMissingFile) {
   }
 }
 
+TEST(Mtl, TextureOptions) {
+  const auto options = [](std::string_view statement) {
+    return parse_one(statement).textures.at(0).options;
+  };
+  const auto all =
+      options("map_Kd -s 2 3 1 -o 0.5 -mm 0.1 0.9 -clamp on -imfchan g -bm 0.3 a b.png");
+  EXPECT_EQ(all.scale, (Vec2d{2, 3}));
+  EXPECT_EQ(all.offset, (Vec2d{0.5, 0}));
+  EXPECT_EQ(all.base, 0.1);
+  EXPECT_EQ(all.gain, 0.9);
+  EXPECT_TRUE(all.clamp);
+  EXPECT_EQ(all.scalar_channel, 'g');
+  EXPECT_EQ(all.bump_multiplier, 0.3);
+  const auto none = options("map_Kd a.png");
+  EXPECT_EQ(none.scale, (Vec2d{1, 1}));
+  EXPECT_EQ(none.gain, 1);
+  EXPECT_FALSE(none.clamp);
+  EXPECT_FALSE(none.bump_multiplier);
+  EXPECT_EQ(options("map_Kd -s 2 a.png").scale, (Vec2d{2, 1}));
+  EXPECT_EQ(options("bump a.png -bm 0.5").bump_multiplier, 0.5);
+  EXPECT_EQ(parse_one("map_Kd -s 2 ..\\maps\\a b.png -clamp on").textures.at(0).stated,
+            "..\\maps\\a b.png");
+}
+
 }  // namespace
 }  // namespace lapidary::import

@@ -59,7 +59,7 @@ TEST_F(Errors, OfParameters) {
   EXPECT_THAT(error_of("return sphere { material = 'gold' }"),
               HasSubstr("must be a material, not the string 'gold' (materials are matte, metal"));
   EXPECT_THAT(error_of("return scene { camera = { from = { 0, 0, 5 } } }"),
-              HasSubstr("(cameras are perspective and orthographic, as in"));
+              HasSubstr("(cameras are perspective, orthographic, panorama and fisheye, as in"));
   EXPECT_THAT(error_of("return sphere { center = {1, 2, nil} }"),
               HasSubstr("must be three numbers {x, y, z}"));
   EXPECT_THAT(error_of("return sphere { [true] = 1 }"), HasSubstr("a key that is a boolean"));

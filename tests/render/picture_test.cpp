@@ -188,5 +188,58 @@ TEST(Picture, OfAPointOutOfFocusIsTheCircleOfConfusion) {
   }
 }
 
+TEST(Picture, IsBlackAroundAFisheyesCircle) {
+  TinyScene tiny;
+  tiny.sky(1.0);
+  tiny.description.camera.emplace(description::Camera{description::Fisheye{}, {}});
+  tiny.description.render.size = {32, 32};
+  const scene::Scene scene = tiny.build();
+  const render::SampleSettings settings{{.max_depth = 2}, FilterSampler(FilterKind::box, 0.5), 1};
+  film::Film film({.width = 32, .height = 32, .layers = film::Layers::all});
+  ThreadPool pool(2);
+  render::BlockRenderer(scene, settings).render({0, 4}, film, pool);
+  for (const auto& [x, y] : {std::pair{0, 0}, {31, 0}, {2, 3}}) {
+    EXPECT_EQ(film.beauty(x, y).g, 0.0f);
+    EXPECT_EQ(film.depth(x, y), 0.0f);
+  }
+  for (const auto& [x, y] : {std::pair{16, 16}, {16, 0}, {6, 6}})
+    EXPECT_GT(film.beauty(x, y).g, 0.5f);
+}
+
+// A frame's worth of motion over the picture, seen for half of it: what moves covers its way
+// evenly.
+TEST(Picture, BlursWhatMovesOverTheWayOfTheShutter) {
+  TinyScene tiny;
+  tiny.add(geometry::Box{{-4, 0, -9}, {-3, 1, 9}}, lamp(1.0));
+  auto& bar = tiny.description.objects.back();
+  bar = description::with_motion(*bar, {{}, {}, {1, 1, 1}, {8, 0, 0}});
+  description::Orthographic camera;
+  camera.view = {{0, -5, 0}, {0, 0, 0}, {0, 0, 1}};
+  camera.size = 8;
+  tiny.description.camera.emplace(description::Camera{camera, {}});
+  tiny.description.camera->shutter = {0.25, 0.75};
+  tiny.description.render.size = {16, 16};  // two pixels a unit
+  const scene::Scene scene = tiny.build();
+  const render::SampleSettings settings{{.max_depth = 1}, FilterSampler(FilterKind::box, 0.5), 1};
+  film::Film film({.width = 16, .height = 16, .layers = film::Layers::beauty});
+  ThreadPool pool(2);
+  render::BlockRenderer(scene, settings).render({0, 1024}, film, pool);
+  // From -2 .. -1 to 2 .. 3, each place for a quarter of the time but those at the ends.
+  const auto at = [&](int x) {
+    double sum = 0;
+    for (int y = 0; y < 16; ++y) sum += static_cast<double>(film.beauty(x, y).g) / 16;
+    return sum;
+  };
+  const double full = 1.0 * at(8);
+  EXPECT_GT(full, 0.0);
+  for (int x = 6; x < 12; ++x) EXPECT_NEAR(at(x) / full, 1.0, 0.02) << x;
+  EXPECT_NEAR(at(4) / full, 0.25, 0.02);
+  EXPECT_NEAR(at(5) / full, 0.75, 0.02);
+  EXPECT_NEAR(at(12) / full, 0.75, 0.02);
+  EXPECT_NEAR(at(13) / full, 0.25, 0.02);
+  EXPECT_EQ(at(3), 0.0);
+  EXPECT_EQ(at(14), 0.0);
+}
+
 }  // namespace
 }  // namespace lapidary::test

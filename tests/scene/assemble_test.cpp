@@ -267,5 +267,37 @@ TEST(Assemble, KeepsTheOrderAndPlaceOfLoneSolids) {
   EXPECT_EQ(bounds(solids.expression.leaves()[1].solid).center().x, 4);
 }
 
+ObjectPtr moving(const ObjectPtr& object) {
+  return description::with_motion(*object, {{}, {}, {1, 1, 1}, {1, 0, 0}});
+}
+
+TEST(Assemble, MakesInstancesOfWhatMoves) {
+  const ObjectPtr ball = solid(geometry::Sphere{}), cube = solid(geometry::Box{});
+  const auto cut = description::combined(SetOperation::subtract, cube, ball, {});
+  const Solids solids = assembled({moving(ball), ball, moving(cut), moving(cut)});
+  ASSERT_EQ(solids.regions.size(), 4u);
+  EXPECT_EQ(solids.regions[1].region.instance, geometry::Region::no_instance);
+  for (const std::size_t i : {0u, 2u, 3u}) {
+    const geometry::Instance& instance = solids.instances.at(solids.regions[i].region.instance);
+    ASSERT_TRUE(instance.motion);
+    EXPECT_NEAR(instance.motion->at(0.5).offset().x, 0.5, 1e-15);
+  }
+  EXPECT_EQ(solids.assemblies.size(), 2u) << "two of one design share it";
+}
+
+TEST(Assemble, RefusesPartsThatMoveByThemselves) {
+  const ObjectPtr ball = solid(geometry::Sphere{}), cube = solid(geometry::Box{});
+  EXPECT_THAT(error_of(description::combined(SetOperation::subtract, cube, moving(ball), {})),
+              HasSubstr("what moves cannot be a part of a combination"));
+  EXPECT_THAT(error_of(description::combined(SetOperation::unite, make_group({moving(ball)}, {}),
+                                             cube, {})),
+              HasSubstr("what moves cannot be a part of a combination"));
+  EXPECT_THAT(error_of(moving(description::with_section(cube, ball))),
+              HasSubstr("a section cannot cut what moves"));
+  EXPECT_THAT(error_of(description::with_section(cube, moving(ball))),
+              HasSubstr("what moves cannot be a part of a combination"));
+  EXPECT_THROW(assembled({moving(ball)}, cube), Error);
+}
+
 }  // namespace
 }  // namespace lapidary::test

@@ -55,6 +55,21 @@ TEST(Build, RefusesSheetsOfGlass) {
   EXPECT_TRUE(error.starts_with("scene.lua:12: a flat sheet cannot be made of glass")) << error;
 }
 
+TEST(Build, RefusesMotionOfWhatCannotMove) {
+  const auto moving = [](TinyScene tiny) {
+    auto& last = tiny.description.objects.back();
+    last = description::with_motion(*last, {{}, {}, {1, 1, 1}, {1, 0, 0}});
+    write_down(tiny);
+    return error_of(tiny);
+  };
+  EXPECT_TRUE(moving(TinyScene().add(Rectangle{}, matte(0.5)))
+                  .starts_with("scene.lua:12: a flat sheet cannot move"));
+  EXPECT_TRUE(moving(TinyScene().add_mesh(ball_mesh(1), lamp(1.0)))
+                  .starts_with("scene.lua:12: a mesh that moves cannot give light"));
+  EXPECT_EQ(moving(TinyScene().add_mesh(ball_mesh(1), matte(0.5))), "no error");
+  EXPECT_EQ(moving(TinyScene().add(geometry::Sphere{}, lamp(1.0))), "no error");
+}
+
 TEST(Build, RefusesLightsWithoutBounds) {
   TinyScene tiny;
   tiny.add(geometry::HalfSpace{}, lamp(1.0));

@@ -17,8 +17,9 @@ using description::SceneDescription;
 
 /// Where a camera shows a point: in [-1, 1] both ways when it is in the picture.
 Vec2d in_picture(const description::Camera& camera, PictureSize size, Vec3d p) {
-  const auto c = std::get<camera::Perspective>(scene::prepare_camera(camera, size));
-  const Vec3d q = c.frame.to_local(p - c.position);
+  const camera::Camera prepared = scene::prepare_camera(camera, size);
+  const auto& c = std::get<camera::Perspective>(prepared.model);
+  const Vec3d q = prepared.pose.frame.to_local(p - prepared.pose.position);
   EXPECT_LT(q.z, 0.0);  // in front
   return {q.x / -q.z / c.half_width, q.y / -q.z / c.half_height};
 }
@@ -101,7 +102,7 @@ TEST(AddMissingStudio, GivesLightAndACameraAndNoFloor) {
     // Nothing but lights came in, and they do not stand in the picture's way.
     const scene::Scene built = tiny.build();
     EXPECT_EQ(built.counts().triangles, 0u);
-    geometry::Ray view = camera::generate_ray(built.camera(), {0.5, 0.5}, {});
+    geometry::Ray view = *camera::generate_ray(built.camera(), {{0.5, 0.5}, {}});
     const geometry::Hit hit = built.world().nearest(view);
     EXPECT_EQ(hit.kind, empty ? geometry::SurfaceKind::none : geometry::SurfaceKind::solid);
   }
@@ -151,7 +152,7 @@ TEST(StandInStudio, LeavesObjectsOnTheFloor) {
       EXPECT_LE(std::abs(p.x), 1.0);
       EXPECT_LE(std::abs(p.y), 1.0);
     }
-    const geometry::Ray view = camera::generate_ray(built.camera(), {0.5, 0.5}, {});
+    const geometry::Ray view = *camera::generate_ray(built.camera(), {{0.5, 0.5}, {}});
     EXPECT_EQ(built.slot(built.world().nearest(view)).object, 0u);
     EXPECT_GE(built.lights().size(), 2u);
   }
@@ -169,7 +170,8 @@ TEST(StandInStudio, FillsThePicture) {
     int missed = 0;
     for (int i = 0; i <= 20; ++i) {
       for (int j = 0; j <= 20; ++j) {
-        const geometry::Ray view = camera::generate_ray(built.camera(), {i / 20.0, j / 20.0}, {});
+        const geometry::Ray view =
+            *camera::generate_ray(built.camera(), {{i / 20.0, j / 20.0}, {}});
         missed += built.world().nearest(view).kind == geometry::SurfaceKind::none;
       }
     }

@@ -9,13 +9,13 @@ namespace {
 
 constexpr Rgb red{0.8f, 0.1f, 0.1f}, blue{0.1f, 0.1f, 0.7f};
 
-TexturePtr checker(Checker::Space space) {
+TexturePtr checker(Projection projection) {
   return std::make_shared<const Texture>(
-      Texture{Checker{{Spectrum::reflectance(red), Spectrum::reflectance(blue)}, space}});
+      Texture{Checker{{Spectrum::reflectance(red), Spectrum::reflectance(blue)}, {projection}}});
 }
 
 TEST(Checker, TurnsAtWholeNumbersAlsoBelowZero) {
-  const Color color(checker(Checker::Space::surface));
+  const Color color(checker(Projection::uv));
   const auto at = [&](double u, double v) { return color.rgb_at({.uv = {u, v}}); };
   EXPECT_EQ(at(0.5, 0.5), red);
   EXPECT_EQ(at(1.5, 0.5), blue);
@@ -26,7 +26,7 @@ TEST(Checker, TurnsAtWholeNumbersAlsoBelowZero) {
 }
 
 TEST(Checker, InSpaceIsOfCubes) {
-  const Color color(checker(Checker::Space::object));
+  const Color color(checker(Projection::object));
   const auto at = [&](Vec3d p) { return color.rgb_at({.p = p}); };
   EXPECT_EQ(at({0.5, 0.5, 0.5}), red);
   EXPECT_EQ(at({0.5, 0.5, 1.5}), blue);
@@ -42,7 +42,7 @@ TEST(Checker, SpectraKeepTheirShape) {
 }
 
 TEST(Checker, AsANumberIsItsLuminance) {
-  const Number number(checker(Checker::Space::surface));
+  const Number number(checker(Projection::uv));
   EXPECT_DOUBLE_EQ(number.at({}), static_cast<double>(luminance(red)));
 }
 

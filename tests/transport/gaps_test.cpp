@@ -16,9 +16,8 @@ description::MaterialPtr veil(texture::Number opacity) {
 }
 
 texture::Number checkered(double first, double second) {
-  return std::make_shared<const texture::Texture>(
-      texture::Texture{texture::Checker{{texture::Color(grey(first)), texture::Color(grey(second))},
-                                        texture::Checker::Space::object}});
+  return std::make_shared<const texture::Texture>(texture::Texture{
+      texture::Checker{{texture::Color(grey(first)), texture::Color(grey(second))}, {}}});
 }
 
 /// A veil of the x-y plane, at a height.

@@ -13,9 +13,8 @@ namespace {
 description::MaterialPtr squares(double first, double second, double radiance) {
   description::Emissive emissive;
   emissive.emission = {description::Quantity::radiance, grey(radiance)};
-  emissive.pattern = std::make_shared<const texture::Texture>(
-      texture::Texture{texture::Checker{{texture::Color(grey(first)), texture::Color(grey(second))},
-                                        texture::Checker::Space::object}});
+  emissive.pattern = std::make_shared<const texture::Texture>(texture::Texture{
+      texture::Checker{{texture::Color(grey(first)), texture::Color(grey(second))}, {}}});
   return material(emissive);
 }
 

@@ -1,0 +1,68 @@
+#include <algorithm>
+
+#include "texture/texture.h"
+
+namespace lapidary::texture {
+namespace {
+
+/// Adds up the extents of what a kind is made of.
+struct Inputs {
+  int depth = 0;
+  double looks = 0;
+
+  void add(const TexturePtr& texture) {
+    const Extent extent = texture->extent;
+    depth = std::max(depth, extent.depth);
+    looks += extent.looks;
+  }
+  void add(const Color& color) {
+    if (const TexturePtr* texture = color.texture()) add(*texture);
+  }
+  void add(const Number& number) {
+    if (const TexturePtr* texture = number.texture()) add(*texture);
+  }
+  void add(const Operand& operand) {
+    if (const Color* color = operand.color()) add(*color);
+  }
+  void add(const Ramp& ramp) {
+    for (const Ramp::Stop& stop : ramp.stops) add(stop.color);
+  }
+  template <typename T>
+  void add(const std::array<T, 2>& pair) {
+    add(pair[0]);
+    add(pair[1]);
+  }
+
+  void of(const Picture&) {}
+  void of(const Moved& moved) { add(moved.texture); }
+  void of(const Checker& checker) { add(checker.colors); }
+  void of(const Grid& grid) { add(grid.colors); }
+  void of(const Bricks& bricks) {
+    add(bricks.colors);
+    add(bricks.mortar);
+  }
+  void of(const Arithmetic& arithmetic) { add(arithmetic.operands); }
+  void of(const Mix& mix) {
+    add(mix.operands);
+    add(mix.share);
+  }
+  void of(const ChannelOf& channel) { add(channel.input); }
+  void of(const Remap& remap) {
+    add(remap.input);
+    add(remap.colors);
+  }
+  template <Pattern Kind>
+  void of(const Kind& pattern) {
+    add(pattern.colors);
+  }
+};
+
+}  // namespace
+
+Texture::Texture(Kind k) : kind(std::move(k)) {
+  Inputs inputs;
+  std::visit([&](const auto& known) { inputs.of(known); }, kind);
+  extent = {inputs.depth + 1, inputs.looks + 1.0};
+}
+
+}  // namespace lapidary::texture

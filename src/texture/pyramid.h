@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "image/image.h"
+#include "math/vec.h"
+#include "spectrum/rgb.h"
+#include "texture/texels.h"
+#include "texture/uv_footprint.h"
+
+namespace lapidary::texture {
+
+/// What is beside a picture: itself again, its mirror image, its edge drawn out, or nothing.
+enum class Wrap : std::uint8_t { repeat, mirror, clamp, black };
+
+/// A picture in all sizes, each half the one before down to a single pixel, to average it over any
+/// footprint in a few looks. It covers the unit square; (0, 0) is its lower left corner.
+///
+/// Each size averages linear light exactly, whole pixels or not, so that all have the same mean.
+///
+/// Memory: 4/3 of the picture's own, with 1 byte for a value when all are 8-bit codes of sRGB or of
+/// a linear scale, else 2; one channel where all are equal.
+class Pyramid {
+ public:
+  /// Precondition: one channel or three, at least one pixel, all finite.
+  explicit Pyramid(const image::Image& picture);
+
+  /// The mean over the footprint of the picture and of what is beside it.
+  ///
+  /// Accuracy: the spread of what is averaged is that of the footprint, the shape is not quite; on
+  /// photographs the error is below 2 % of the exact mean, on white noise about as large as the
+  /// noise that is left. What spreads less than straight lines between pixels do is seen like
+  /// those. Precondition: finite numbers.
+  ///
+  /// Source: Williams 1983, "Pyramidal Parametrics"; uv_footprint.h.
+  Rgb mean(const UvFootprint& footprint, Wrap wrap, Filter filter) const;
+
+  int width() const { return levels_.front().width; }
+  int height() const { return levels_.front().height; }
+  int channels() const { return channels_; }
+  std::size_t level_count() const { return levels_.size(); }
+  std::size_t bytes() const;
+
+ private:
+  struct Level {
+    int width = 0;
+    int height = 0;
+    std::size_t first = 0;  ///< its upper left pixel in `texels_`
+  };
+
+  template <typename Fetch>
+  friend class PyramidSampler;
+
+  std::vector<Level> levels_;
+  int channels_;
+  Texels texels_;
+};
+
+}  // namespace lapidary::texture

@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <cmath>
+
+#include <immintrin.h>
+
+#include "texture/pyramid.h"
+
+namespace lapidary::texture {
+namespace {
+
+using Vector = float __attribute__((vector_size(16)));
+
+struct FetchByteRgb {
+  using Value = Vector;
+  const std::uint8_t* codes;
+  const float* values;
+  Vector operator()(std::size_t i) const {
+    const std::uint8_t* c = codes + 3 * i;
+    return Vector{values[c[0]], values[c[1]], values[c[2]], 0};
+  }
+};
+struct FetchByte {
+  using Value = float;
+  const std::uint8_t* codes;
+  const float* values;
+  float operator()(std::size_t i) const { return values[codes[i]]; }
+};
+struct FetchHalfRgb {
+  using Value = Vector;
+  const std::uint16_t* bits;
+  Vector operator()(std::size_t i) const {
+    return _mm_cvtph_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(bits + 3 * i)));
+  }
+};
+struct FetchHalf {
+  using Value = float;
+  const std::uint16_t* bits;
+  float operator()(std::size_t i) const { return _cvtsh_ss(bits[i]); }
+};
+
+Rgb to_rgb(Vector v) {
+  return {v[0], v[1], v[2]};
+}
+Rgb to_rgb(float v) {
+  return {v, v, v};
+}
+/// `u` where the picture or its nearest edge is: in [-1, 2].
+double folded(double u, Wrap wrap) {
+  switch (wrap) {
+    case Wrap::repeat:
+      return u - std::floor(u);
+    case Wrap::mirror: {
+      const double pair = u - 2.0 * std::floor(0.5 * u);
+      return pair > 1.0 ? 2.0 - pair : pair;
+    }
+    case Wrap::clamp:
+      return std::clamp(u, 0.0, 1.0);
+    case Wrap::black:
+      break;
+  }
+  return std::clamp(u, -1.0, 2.0);
+}
+
+}  // namespace
+
+/// Looks into a pyramid whose values `Fetch` reads.
+template <typename Fetch>
+class PyramidSampler {
+ public:
+  using Value = typename Fetch::Value;
+
+  PyramidSampler(const Pyramid& pyramid, Fetch fetch, Wrap wrap, Filter filter)
+      : pyramid_(pyramid), fetch_(fetch), wrap_(wrap), filter_(filter) {}
+
+  Value mean(const UvFootprint& footprint) const {
+    const Probes probes = probes_of(footprint, pyramid_.width(), pyramid_.height(), filter_);
+    if (probes.count == 1) return look(footprint.uv, probes.level);
+    Value sum{};
+    const double before = 0.5 * (probes.count - 1);
+    for (int i = 0; i < probes.count; ++i) {
+      sum += look(footprint.uv + probes.step * (i - before), probes.level);
+    }
+    return sum * (1.0f / static_cast<float>(probes.count));
+  }
+
+ private:
+  Value look(Vec2d uv, double level) const {
+    const auto& levels = pyramid_.levels_;
+    const double last = static_cast<double>(levels.size() - 1);
+    if (wrap_ == Wrap::black && level > last) return look_from_afar(uv, level - last);
+    const double u = folded(uv.x, wrap_), v = folded(uv.y, wrap_);
+    if (!(level < last)) return at(levels.back(), u, v);
+    const double whole = std::floor(level);
+    const auto part = static_cast<float>(level - whole);
+    const auto finer = static_cast<std::size_t>(whole);
+    const Value a = at(levels[finer], u, v);
+    if (part == 0.0f) return a;
+    return a * (1.0f - part) + at(levels[finer + 1], u, v) * part;
+  }
+
+  /// At pixels that hold more and more of the nothing around the picture.
+  Value look_from_afar(Vec2d uv, double levels_beyond) const {
+    const double shrink = std::exp2(-levels_beyond);
+    const double u = 0.5 + (uv.x - 0.5) * shrink, v = 0.5 + (uv.y - 0.5) * shrink;
+    return at(pyramid_.levels_.back(), folded(u, wrap_), folded(v, wrap_)) *
+           static_cast<float>(shrink * shrink);
+  }
+
+  Value at(const Pyramid::Level& level, double u, double v) const {
+    if (filter_ == Filter::nearest) {
+      return texel(level, static_cast<int>(std::floor(u * level.width)),
+                   level.height - 1 - static_cast<int>(std::floor(v * level.height)));
+    }
+    const double x = u * level.width - 0.5, y = (1.0 - v) * level.height - 0.5;
+    const double left = std::floor(x), above = std::floor(y);
+    const auto tx = static_cast<float>(x - left), ty = static_cast<float>(y - above);
+    const int i = static_cast<int>(left), j = static_cast<int>(above);
+    const Value upper = texel(level, i, j) * (1.0f - tx) + texel(level, i + 1, j) * tx;
+    const Value lower = texel(level, i, j + 1) * (1.0f - tx) + texel(level, i + 1, j + 1) * tx;
+    return upper * (1.0f - ty) + lower * ty;
+  }
+
+  /// Precondition: at most one picture away.
+  Value texel(const Pyramid::Level& level, int x, int y) const {
+    if (wrap_ == Wrap::black && (x < 0 || y < 0 || x >= level.width || y >= level.height)) {
+      return Value{};
+    }
+    return fetch_(level.first +
+                  static_cast<std::size_t>(inside(y, level.height)) *
+                      static_cast<std::size_t>(level.width) +
+                  static_cast<std::size_t>(inside(x, level.width)));
+  }
+
+  int inside(int i, int size) const {
+    if (wrap_ != Wrap::repeat) return std::clamp(i, 0, size - 1);
+    return i < 0 ? i + size : i >= size ? i - size : i;
+  }
+
+  const Pyramid& pyramid_;
+  Fetch fetch_;
+  Wrap wrap_;
+  Filter filter_;
+};
+
+namespace {
+
+/// `use(sampler)` with the one for the values that `texels` holds.
+template <typename Use>
+auto with_sampler(const Pyramid& pyramid, const Texels& texels, Wrap wrap, Filter filter, Use use) {
+  const auto sampler = [&](auto fetch) {
+    return use(PyramidSampler<decltype(fetch)>(pyramid, fetch, wrap, filter));
+  };
+  const bool colored = pyramid.channels() == 3;
+  if (const auto* bytes = std::get_if<Texels::Bytes>(&texels.store())) {
+    const auto* codes = bytes->codes.data();
+    const float* values = bytes->scale->values();
+    return colored ? sampler(FetchByteRgb{codes, values}) : sampler(FetchByte{codes, values});
+  }
+  const auto* bits = std::get<Texels::Halves>(texels.store()).bits.data();
+  return colored ? sampler(FetchHalfRgb{bits}) : sampler(FetchHalf{bits});
+}
+
+}  // namespace
+
+Rgb Pyramid::mean(const UvFootprint& footprint, Wrap wrap, Filter filter) const {
+  return with_sampler(*this, texels_, wrap, filter,
+                      [&](const auto& sampler) { return to_rgb(sampler.mean(footprint)); });
+}
+
+}  // namespace lapidary::texture
