@@ -32,7 +32,9 @@ double Place::share(const texture::Number& number) const {
 }
 
 Bsdf make_bsdf(const Matte& matte, const Place& place) {
-  return Diffuse{place.share(matte.color)};
+  const double roughness = place.share(matte.roughness);
+  if (roughness == 0.0) return Diffuse{place.share(matte.color)};
+  return RoughDiffuse(place.share(matte.color), roughness);
 }
 
 Bsdf make_bsdf(const Metal& metal, const Place& place) {
@@ -40,6 +42,17 @@ Bsdf make_bsdf(const Metal& metal, const Place& place) {
   const double roughness = place.share(metal.roughness);
   if (roughness < smallest_roughness) return Mirror{fresnel};
   return Conductor(fresnel, alpha_from_roughness(roughness));
+}
+
+Bsdf make_bsdf(const Phong& phong, const Place& place) {
+  const SampledSpectrum diffuse = place.share(phong.diffuse);
+  const SampledSpectrum left = SampledSpectrum(1.0f) - diffuse;
+  return PhongLobes(diffuse, min(place.share(phong.specular), left),
+                    std::max(phong.exponent.at(place.lookup), 0.0));
+}
+
+Bsdf make_bsdf(const ThinGlass& glass, const Place& place) {
+  return Pane(glass.index.at(place.wavelengths), place.share(glass.color));
 }
 
 Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carried) {

@@ -5,8 +5,14 @@
 
 #include "bsdf/conductor.h"
 #include "bsdf/diffuse.h"
+#include "bsdf/layered.h"
 #include "bsdf/material.h"
+#include "bsdf/mixture.h"
+#include "bsdf/nested.h"
+#include "bsdf/pane.h"
+#include "bsdf/phong_lobes.h"
 #include "bsdf/rough_dielectric.h"
+#include "bsdf/rough_diffuse.h"
 #include "bsdf/scattering.h"
 #include "bsdf/smooth_dielectric.h"
 #include "spectrum/wavelengths.h"
@@ -20,8 +26,6 @@
 /// scatter nothing (also z = 0, and wo.z < 0 on opaque surfaces) have value zero and no sample.
 namespace lapidary::bsdf {
 
-/// Scatters nothing; what the surface of a pure light source is made of.
-struct Black {};
 inline BsdfValue evaluate_with_pdf(const Black&, Vec3d, Vec3d, Mode) {
   return {};
 }
@@ -29,7 +33,18 @@ inline std::optional<BsdfSample> sample(const Black&, Vec3d, double, Vec2d, Mode
   return {};
 }
 
-using Bsdf = std::variant<Diffuse, Conductor, Mirror, SmoothDielectric, RoughDielectric, Black>;
+using Bsdf = std::variant<Diffuse, RoughDiffuse, PhongLobes, Conductor, Mirror, SmoothDielectric,
+                          RoughDielectric, Pane, Layered, Mixture, Black>;
+
+struct Nested {
+  Bsdf bsdf;
+};
+inline NestedPtr nested(Bsdf bsdf) {
+  return std::make_shared<const Nested>(Nested{std::move(bsdf)});
+}
+
+/// In time independent of how deep it is nested.
+Traits traits_of(const Bsdf& bsdf);
 
 /// Where a material is met, and by which wavelengths.
 struct Place {
@@ -42,8 +57,9 @@ struct Place {
 };
 
 Bsdf make_bsdf(const Matte& matte, const Place& place);
-
 Bsdf make_bsdf(const Metal& metal, const Place& place);
+Bsdf make_bsdf(const Phong& phong, const Place& place);
+Bsdf make_bsdf(const ThinGlass& glass, const Place& place);
 
 /// The refractive indices at a path's wavelengths on both sides of a surface.
 struct InterfaceIndices {
@@ -59,10 +75,29 @@ Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carri
 Bsdf make_bsdf(const Glass& glass, const RefractiveIndex& outside, const Place& place,
                Carried carried);
 
+/// What is on both sides of a surface, and which wavelengths reach it.
+struct Surroundings {
+  const RefractiveIndex& above;  ///< the side that z points to
+  const RefractiveIndex& below;
+  Carried carried = Carried::all;
+};
+
+Bsdf make_bsdf(const Principled& principled, const Place& place, const Surroundings& around);
+
+/// Any of them. What is glass takes its own index from the side below, where the medium that fills
+/// the body is.
+Bsdf make_bsdf(const Finish& finish, const Place& place, const Surroundings& around);
+
+/// A layer over `base`; over each part where that is a mixture.
+Bsdf make_layered(const Layered::Layer& layer, Bsdf base);
+
 /// f(wo, wi) |cos theta_i| per steradian and the density, per solid angle, with which `sample`
 /// chooses wi; both without specular lobes. The hot call of next-event estimation. Where wi lies
 /// behind a dispersive surface the value is the hero's, times `Wavelengths::hero_only()`.
 inline BsdfValue evaluate_with_pdf(const Bsdf& bsdf, Vec3d wo, Vec3d wi, Mode mode) {
+  // Most surfaces are, and the compiler does not follow so many others into the caller.
+  if (const auto* diffuse = std::get_if<Diffuse>(&bsdf))
+    return evaluate_with_pdf(*diffuse, wo, wi, mode);
   return std::visit([&](const auto& kind) { return evaluate_with_pdf(kind, wo, wi, mode); }, bsdf);
 }
 
@@ -80,13 +115,28 @@ inline double pdf(const Bsdf& bsdf, Vec3d wo, Vec3d wi) {
 /// on the wrong side: a sample of value zero. `u_lobe` and `u` are uniform in [0, 1).
 inline std::optional<BsdfSample> sample(const Bsdf& bsdf, Vec3d wo, double u_lobe, Vec2d u,
                                         Mode mode) {
+  if (const auto* diffuse = std::get_if<Diffuse>(&bsdf))
+    return sample(*diffuse, wo, u_lobe, u, mode);
   return std::visit([&](const auto& kind) { return sample(kind, wo, u_lobe, u, mode); }, bsdf);
+}
+
+/// Whether light passes to the other side. Such a BSDF is seen from both sides, of opaque ones the
+/// caller turns the frame.
+inline bool is_transparent(const Bsdf& bsdf) {
+  if (std::holds_alternative<Diffuse>(bsdf)) return false;
+  if (const auto* layered = std::get_if<Layered>(&bsdf)) return layered->is_transparent();
+  if (const auto* mixture = std::get_if<Mixture>(&bsdf)) return mixture->traits().transparent;
+  return std::holds_alternative<SmoothDielectric>(bsdf) ||
+         std::holds_alternative<RoughDielectric>(bsdf) || std::holds_alternative<Pane>(bsdf);
 }
 
 /// Whether all lobes are specular, so that next-event estimation finds nothing.
 inline bool is_specular(const Bsdf& bsdf) {
+  if (std::holds_alternative<Diffuse>(bsdf)) return false;
+  if (const auto* layered = std::get_if<Layered>(&bsdf)) return layered->is_specular();
+  if (const auto* mixture = std::get_if<Mixture>(&bsdf)) return mixture->is_specular();
   return std::holds_alternative<Mirror>(bsdf) || std::holds_alternative<SmoothDielectric>(bsdf) ||
-         std::holds_alternative<Black>(bsdf);
+         std::holds_alternative<Pane>(bsdf) || std::holds_alternative<Black>(bsdf);
 }
 
 }  // namespace lapidary::bsdf

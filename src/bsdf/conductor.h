@@ -27,6 +27,9 @@ class Conductor {
   BsdfValue evaluate_with_pdf(Vec3d wo, Vec3d wi) const;
   std::optional<BsdfSample> sample(Vec3d wo, double u_lobe, Vec2d u) const;
 
+  const ConductorFresnel& fresnel() const { return fresnel_; }
+  double alpha() const { return facets_.alpha; }
+
  private:
   ConductorFresnel fresnel_;
   Ggx facets_;

@@ -20,6 +20,14 @@ ConductorFresnel ConductorFresnel::from_normal_incidence(SampledSpectrum reflect
   return {Form::normal_incidence, reflectance, SampledSpectrum()};
 }
 
+ConductorFresnel ConductorFresnel::from_edge_tint(SampledSpectrum reflectance,
+                                                  SampledSpectrum tint) {
+  constexpr float cosine = 1.0f / 7.0f, m = 1.0f - cosine, m6 = m * m * m * m * m * m;
+  const SampledSpectrum plain = from_normal_incidence(reflectance).schlick(cosine);
+  const SampledSpectrum dip = plain * (SampledSpectrum(1.0f) - tint) / (cosine * m6);
+  return {Form::normal_incidence, reflectance, dip};
+}
+
 // With a + i b = sqrt((n + i k)^2 - sin^2), the refracted wave's normal component: Fresnel's
 // equations (Born & Wolf 1999, chapter 14) written without complex numbers. 2 a^2 = |a + i b|^2 +
 // (n^2 - k^2 - sin^2).
@@ -39,8 +47,9 @@ SampledSpectrum ConductorFresnel::exact(float cosine) const {
 }
 
 SampledSpectrum ConductorFresnel::average() const {
-  const SampledSpectrum f0 = form_ == Form::index ? exact(1.0f) : a_;
-  return f0 + (SampledSpectrum(1.0f) - f0) * (1.0f / 21.0f);
+  const bool index = form_ == Form::index;
+  const SampledSpectrum f0 = index ? exact(1.0f) : a_, dip = index ? SampledSpectrum() : b_;
+  return f0 + (SampledSpectrum(1.0f) - f0) * (1.0f / 21.0f) - dip * (1.0f / 126.0f);
 }
 
 }  // namespace lapidary::bsdf

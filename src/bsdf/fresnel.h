@@ -30,6 +30,9 @@ class ConductorFresnel {
   static ConductorFresnel from_index(SampledSpectrum n, SampledSpectrum k);
   /// Schlick 1994, "An Inexpensive BRDF Model": F0 + (1 - F0) (1 - cos)^5.
   static ConductorFresnel from_normal_incidence(SampledSpectrum reflectance);
+  /// Schlick's curve with a dip before it rises to one: at 82 degrees, where cos = 1/7, it is
+  /// `tint` times what it would be. Source: Andersson et al. 2024, the metallic base.
+  static ConductorFresnel from_edge_tint(SampledSpectrum reflectance, SampledSpectrum tint);
 
   /// Unpolarised reflectance; `cos_incident` in [0, 1].
   SampledSpectrum at(double cos_incident) const {
@@ -45,13 +48,13 @@ class ConductorFresnel {
   ConductorFresnel(Form form, SampledSpectrum a, SampledSpectrum b) : form_(form), a_(a), b_(b) {}
   SampledSpectrum exact(float cosine) const;
   SampledSpectrum schlick(float cosine) const {
-    const float m = 1.0f - cosine, m2 = m * m;
-    return a_ + (SampledSpectrum(1.0f) - a_) * (m2 * m2 * m);
+    const float m = 1.0f - cosine, m2 = m * m, m5 = m2 * m2 * m;
+    return a_ + (SampledSpectrum(1.0f) - a_) * m5 - b_ * (cosine * m5 * m);
   }
 
   Form form_;
   SampledSpectrum a_;  ///< n, or the reflectance at normal incidence
-  SampledSpectrum b_;  ///< k
+  SampledSpectrum b_;  ///< k, or the depth of the dip
 };
 
 }  // namespace lapidary::bsdf

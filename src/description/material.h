@@ -12,9 +12,13 @@
 
 namespace lapidary::description {
 
+using bsdf::Coated;
 using bsdf::Matte;
 using bsdf::Metal;
+using bsdf::Phong;
 using bsdf::SurfaceDetail;
+using bsdf::ThinGlass;
+using bsdf::Velvet;
 
 /// What a clear body does to light on its way through: after `distance` scene units it has the
 /// colour `color`, and after any other what Beer and Lambert say.
@@ -30,6 +34,17 @@ struct Glass : bsdf::Glass {
   std::optional<Absorption> absorption;  ///< none: perfectly clear
 };
 
+/// Patches of two materials; a body that wears it is filled with the glass that is one of them.
+struct Blend : bsdf::Blend {
+  std::optional<Glass> filling;
+};
+
+/// OpenPBR's surface; a body that wears it is filled with its glass where it is transparent.
+struct Principled : bsdf::Principled {
+  std::optional<Glass> filling;
+  std::optional<Emission> emission;
+};
+
 /// Gives light and reflects none. Light leaves the outside of solids and the front of sheets and
 /// meshes. Every object that wears it has the stated power of its own.
 struct Emissive {
@@ -42,7 +57,8 @@ struct Emissive {
 };
 
 struct Material {
-  std::variant<Matte, Metal, Glass, Emissive> model;
+  std::variant<Matte, Metal, Glass, Phong, ThinGlass, Velvet, Coated, Blend, Principled, Emissive>
+      model;
   std::string name;  ///< may be empty
   schema::CallSite where;
   SurfaceDetail detail;
@@ -50,10 +66,19 @@ struct Material {
 
 using MaterialPtr = std::shared_ptr<const Material>;
 
-/// Whether a body that wears it is filled with it.
-inline const Glass* as_glass(const Material& material) {
-  return std::get_if<Glass>(&material.model);
+/// What a body that wears it is filled with; null for what is opaque.
+const Glass* as_glass(const Material& material);
+
+/// What it gives as light; null when it gives none.
+const Emission* emission_of(const Material& material);
+
+/// Whether it is a wall with two faces, which fills nothing that is not closed.
+inline bool is_thin(const Material& material) {
+  return std::holds_alternative<ThinGlass>(material.model);
 }
+
+/// The surface alone, without what it encloses and what it emits.
+bsdf::Finish finish_of(const Material& material);
 
 /// Whether it is not the same everywhere: some of its parameters are textures.
 bool is_textured(const Material& material);

@@ -2,6 +2,7 @@
 
 #include "description/color_readers.h"
 #include "description/emission_parameters.h"
+#include "description/material_node.h"
 #include "description/node_readers.h"
 #include "description/nodes.h"
 #include "description/surface_detail.h"
@@ -18,17 +19,6 @@ using schema::Shorthand;
 using schema::Value;
 using schema::ValueKind;
 
-constexpr auto section = "materials";
-
-template <typename Model>
-Node material_node(Model model, SurfaceDetail detail, const Context& context) {
-  auto material = std::make_shared<Material>();
-  material->model = std::move(model);
-  material->detail = std::move(detail);
-  material->where = context.call().where;
-  return Node::of<Material>(context.call().node, std::move(material), sizeof(Material));
-}
-
 /// Fails because `value` is no name in a catalogue.
 [[noreturn]] void fail_catalogue(const std::vector<std::string>& names, std::string_view wanted,
                                  const Value& value, const Context& context) {
@@ -37,24 +27,6 @@ Node material_node(Model model, SurfaceDetail detail, const Context& context) {
   if (hint.empty()) hint = fmt::format("known are {}", fmt::join(names, ", "));
   context.fail(fmt::format("names no {}: {}", wanted, value.describe()), std::move(hint));
 }
-
-struct GlassIndexReader {
-  static std::string type() { return "number or name"; }
-  static RefractiveIndex read(const Value& value, const Context& context) {
-    if (value.kind() == ValueKind::number) {
-      return RefractiveIndex::constant(schema::Reader<double>::read(value, context));
-    }
-    if (value.kind() != ValueKind::string) {
-      schema::fail_type("an index of refraction such as 1.5 or the name of a glass", value,
-                        context);
-    }
-    if (auto index = find_glass(value.string())) return *std::move(index);
-    fail_catalogue(glass_names(), "glass", value, context);
-  }
-  static std::string text(const RefractiveIndex& index) {
-    return index.dispersive() ? "" : fmt::format("{}", index.at(589.3));
-  }
-};
 
 struct MetalIndexReader {
   static std::string type() { return "name"; }
@@ -87,19 +59,21 @@ Metal to_metal(const MetalParameters& m, const Context& context) {
   return metal;
 }
 
-constexpr auto roughness_doc = "0 is polished, 1 is dull.";
-
 NodeKind matte() {
   using M = Detailed<Matte>;
   Declaration<M> d({.name = "matte",
                     .doc = "Diffuse, like chalk or plaster.",
-                    .section = section,
+                    .section = materials_section,
                     .examples = {"matte \"#d8cfc0\"", "matte { color = { 0.7, 0.6, 0.5 } }",
-                                 "matte(checker { \"white\", \"black\" })"}});
+                                 "matte(checker { \"white\", \"black\" })",
+                                 "matte { \"sienna\", roughness = 1 }"}});
   d.parameter<ColorReader>("color", &Matte::color,
                            {.doc = "Share of the light it gives back.",
                             .shorthand = Shorthand::yes,
-                            .default_text = "{0.8, 0.8, 0.8}"});
+                            .default_text = "{0.8, 0.8, 0.8}"})
+      .parameter<NumberReader>("roughness", &Matte::roughness,
+                               {.doc = "0 is smooth plaster, 1 is as flat as the full moon.",
+                                .range = schema::unit_interval});
   return node_kind(declare_detail(d), [](M&& m, const Context& context) {
     SurfaceDetail detail = std::move(m.detail);
     return material_node(Matte(std::move(m)), std::move(detail), context);
@@ -110,7 +84,7 @@ NodeKind metal() {
   using M = Detailed<MetalParameters>;
   Declaration<M> d({.name = "metal",
                     .doc = "A conductor, from mirror to brushed.",
-                    .section = section,
+                    .section = materials_section,
                     .examples = {"metal \"gold\"", "metal { \"gold\", roughness = 0.1 }",
                                  "metal { color = \"#8c2f39\", roughness = 0.3 }"}});
   d.parameter<MetalIndexReader>(
@@ -150,7 +124,7 @@ NodeKind glass() {
   Declaration<G> d(
       {.name = "glass",
        .doc = "Clear: glass, water, gems.",
-       .section = section,
+       .section = materials_section,
        .examples = {"glass \"N-BK7\"", "glass(1.5)", "glass { \"N-BK7\", roughness = 0.1 }"}});
   d.parameter<GlassIndexReader>(
        "ior", &G::index,
@@ -183,7 +157,7 @@ NodeKind emissive() {
            "Gives light: from the outside of solids, from the front of sheets and meshes. A "
            "combination gives it from where its operands that wear this are seen, cut faces "
            "included; 'power' and 'lumens' are spread over that area, which is measured to 0.1 %.",
-       .section = section,
+       .section = materials_section,
        .examples = {"emissive { radiance = 3, temperature = 2700 }",
                     "emissive { power = 60, color = \"orange\" }"}});
   declare_emission(d, strengths);
@@ -192,10 +166,72 @@ NodeKind emissive() {
   });
 }
 
+NodeKind phong() {
+  using M = Detailed<Phong>;
+  Declaration<M> d({.name = "phong",
+                    .doc = "The plastic of early computer graphics: diffuse, with a highlight "
+                           "that fades at grazing angles. For new scenes, see coated.",
+                    .section = materials_section,
+                    .examples = {"phong { \"#2050a0\", specular = 0.4, exponent = 80 }"}});
+  d.parameter<ColorReader>("diffuse", &Phong::diffuse,
+                           {.doc = "Share of the light that it gives back in all directions.",
+                            .shorthand = Shorthand::yes,
+                            .default_text = "{0.6, 0.6, 0.6}"})
+      .parameter<ColorReader>("specular", &Phong::specular,
+                              {.doc = "Share in the highlight; with 'diffuse' at most 1, what is "
+                                      "beyond does not count.",
+                               .default_text = "{0.3, 0.3, 0.3}"})
+      .parameter<NumberReader>(
+          "exponent", &Phong::exponent,
+          {.doc = "How tight the highlight is.", .range = {.min = 0, .max = 1e6}});
+  return node_kind(declare_detail(d), [](M&& m, const Context& context) {
+    SurfaceDetail detail = std::move(m.detail);
+    return material_node(Phong(std::move(m)), std::move(detail), context);
+  });
+}
+
+NodeKind thin_glass() {
+  using M = Detailed<ThinGlass>;
+  Declaration<M> d(
+      {.name = "thin_glass",
+       .doc = "A window pane: both faces of a plate at once. Light goes straight through; solids "
+              "that wear it are hollow. Fits sheets and open meshes, too.",
+       .section = materials_section,
+       .examples = {"thin_glass()", "rectangle { material = thin_glass { color = \"#c8e8d8\" } }",
+                    "sphere { material = thin_glass(1.33) }"}});
+  d.parameter<GlassIndexReader>(
+       "ior", &ThinGlass::index,
+       {.doc = fmt::format("Index of refraction, or one of: {}.", fmt::join(glass_names(), ", ")),
+        .range = {.min = 1, .max = 10},
+        .shorthand = Shorthand::yes})
+      .parameter<ColorReader>("color", &ThinGlass::color,
+                              {.doc = "What its thickness leaves of light that crosses it head on.",
+                               .default_text = "1"});
+  return node_kind(declare_detail(d), [](M&& m, const Context& context) {
+    SurfaceDetail detail = std::move(m.detail);
+    return material_node(ThinGlass(std::move(m)), std::move(detail), context);
+  });
+}
+
 }  // namespace
 
+RefractiveIndex GlassIndexReader::read(const Value& value, const Context& context) {
+  if (value.kind() == ValueKind::number) {
+    return RefractiveIndex::constant(schema::Reader<double>::read(value, context));
+  }
+  if (value.kind() != ValueKind::string) {
+    schema::fail_type("an index of refraction such as 1.5 or the name of a glass", value, context);
+  }
+  if (auto index = find_glass(value.string())) return *std::move(index);
+  fail_catalogue(glass_names(), "glass", value, context);
+}
+
+std::string GlassIndexReader::text(const RefractiveIndex& index) {
+  return index.dispersive() ? "" : fmt::format("{}", index.at(589.3));
+}
+
 std::vector<NodeKind> material_kinds() {
-  return {matte(), metal(), glass(), emissive()};
+  return {matte(), metal(), glass(), thin_glass(), phong(), emissive()};
 }
 
 }  // namespace lapidary::description

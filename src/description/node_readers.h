@@ -32,7 +32,7 @@ struct NodeWord<description::Material> {
   static constexpr std::string_view type = "material";
   static constexpr std::string_view wanted = "a material";
   static constexpr std::string_view hint =
-      "materials are matte, metal, glass and emissive, as in metal \"gold\"";
+      "materials are matte, metal, glass, principled and others, as in metal \"gold\"";
 };
 template <>
 struct NodeWord<description::Light> {

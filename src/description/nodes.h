@@ -19,6 +19,7 @@ std::vector<schema::NodeKind> sheet_kinds();
 std::vector<schema::NodeKind> group_kinds();
 std::vector<schema::NodeKind> combination_kinds();
 std::vector<schema::NodeKind> material_kinds();
+std::vector<schema::NodeKind> composite_material_kinds();
 std::vector<schema::NodeKind> texture_kinds();
 std::vector<schema::NodeKind> noise_kinds();
 std::vector<schema::NodeKind> spectrum_kinds();
@@ -27,6 +28,7 @@ std::vector<schema::NodeKind> environment_kinds();
 std::vector<schema::NodeKind> camera_kinds();
 std::vector<schema::NodeKind> wide_camera_kinds();
 std::vector<schema::NodeKind> settings_kinds();
+schema::NodeKind principled_kind();
 schema::NodeKind scene_kind();
 
 }  // namespace lapidary::description

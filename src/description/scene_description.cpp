@@ -9,7 +9,7 @@ namespace lapidary::description {
 namespace {
 
 bool emits(const MaterialPtr& material) {
-  return material && std::holds_alternative<Emissive>(material->model);
+  return material && emission_of(*material) != nullptr;
 }
 
 bool shows_emissive(const Cut* cut) {

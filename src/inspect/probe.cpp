@@ -105,7 +105,7 @@ void Probe::add_mesh(const Leaf& leaf, const description::Mesh& mesh, std::uint3
   std::shared_ptr<const MeshTriangles>& triangles = known[mesh.triangles.get()];
   if (!triangles) triangles = std::make_shared<const MeshTriangles>(mesh.triangles);
   const MaterialPtr& inside = leaf.interior ? leaf.interior : leaf.material;
-  const bool is_glass = description::as_glass(*inside) != nullptr;
+  const bool is_glass = description::as_glass(*inside) && !description::is_thin(*inside);
   meshes_.push_back({triangles,
                      geometry::OwnSpace(leaf.world_from_object),
                      object,

@@ -32,8 +32,9 @@ Worn worn_by(const description::Leaf& leaf) {
   Worn worn;
   std::size_t emissive = 0;
   for (const Material* material : materials) {
-    emissive += std::holds_alternative<description::Emissive>(material->model) ? 1 : 0;
-    worn.glass = worn.glass || std::holds_alternative<description::Glass>(material->model);
+    emissive += description::emission_of(*material) != nullptr ? 1 : 0;
+    worn.glass =
+        worn.glass || (description::as_glass(*material) && !description::is_thin(*material));
   }
   if (emissive > 0) worn.glow = emissive == materials.size() ? Glow::whole : Glow::part;
   return worn;

@@ -152,9 +152,9 @@ void Builder::add_sheet(const Leaf& leaf, const geometry::Sheet& sheet) {
     throw Error(leaf.object.where.location(), "a flat sheet cannot move",
                 "use a thin box or a flat cylinder");
   }
-  if (std::holds_alternative<description::Glass>(leaf.material->model)) {
+  if (description::as_glass(*leaf.material) != nullptr && !description::is_thin(*leaf.material)) {
     throw Error(leaf.object.where.location(), "a flat sheet cannot be made of glass",
-                "glass fills a body: use a thin box or a cylinder");
+                "glass fills a body: use thin_glass, or a thin box");
   }
   world_.sheets.push_back(geometry::transformed(sheet, leaf.world_from_object));
   parts_.sheet_slots.push_back(static_cast<std::uint32_t>(parts_.slots.size()));
@@ -178,7 +178,9 @@ void Builder::add_mesh(const Leaf& leaf, const description::Mesh& mesh) {
   parts_.mesh_slots.push_back(static_cast<std::uint32_t>(parts_.slots.size()));
   Filling& filling = parts_.mesh_fillings.emplace_back();
   const MaterialPtr& inside = leaf.interior ? leaf.interior : leaf.material;
-  if (const auto* glass = description::as_glass(*inside)) {
+  const auto* glass = description::as_glass(*inside);
+  // Meshes of thin glass may be windows as well as bottles: neither has anything inside.
+  if (glass != nullptr && !description::is_thin(*inside)) {
     fillings_.push_back(inside);
     filling = {medium_number(*glass), leaf.priority, last_object()};
   }

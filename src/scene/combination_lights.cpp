@@ -43,11 +43,6 @@ bool has_room(const Box3d& box) {
 
 }  // namespace
 
-const description::Emission* emission_of(const description::Material& material) {
-  const auto* emissive = std::get_if<description::Emissive>(&material.model);
-  return emissive == nullptr ? nullptr : &emissive->emission;
-}
-
 struct CombinationLights::Body {
   explicit Body(geometry::ExpressionPart part)
       : leaf_numbers(std::move(part.leaf_numbers)),

@@ -15,8 +15,6 @@
 
 namespace lapidary::scene {
 
-const description::Emission* emission_of(const description::Material& material);
-
 /// Makes lights of the surfaces of combinations: of each region one for every emissive material
 /// that its leaves wear. Regions of one leaf are lights of other kinds.
 class CombinationLights {

@@ -28,44 +28,55 @@ Spectrum normal_reflectance(const ConductorIndex& index) {
   return Spectrum::table(std::move(table));
 }
 
-/// What a model makes of a material by itself.
-struct Model {
-  Material material;
-  texture::Color albedo;
-  texture::Color pattern = white();
+/// The colour of the albedo layer: what shows of a surface, without what it mirrors of others.
+struct Albedo {
+  texture::Color operator()(const bsdf::Matte& matte) const { return matte.color; }
+  texture::Color operator()(const bsdf::Metal& metal) const {
+    const auto* index = std::get_if<ConductorIndex>(&metal.surface);
+    return index != nullptr ? texture::Color(normal_reflectance(*index))
+                            : std::get<texture::Color>(metal.surface);
+  }
+  texture::Color operator()(const bsdf::Glass&) const { return white(); }
+  texture::Color operator()(const bsdf::Phong& phong) const { return phong.diffuse; }
+  texture::Color operator()(const bsdf::ThinGlass& glass) const { return glass.color; }
+  texture::Color operator()(const bsdf::Velvet& velvet) const {
+    return velvet.base ? of(*velvet.base) : velvet.color;
+  }
+  texture::Color operator()(const bsdf::Coated& coated) const { return of(*coated.base); }
+  texture::Color operator()(const bsdf::Principled& p) const { return p.color; }
+  texture::Color operator()(const bsdf::Black&) const { return Spectrum::constant(0.0f); }
+
+  /// Where one of the colours or the weight is a texture, the colour of the greater part.
+  texture::Color operator()(const bsdf::Blend& blend) const {
+    const texture::Color first = of(*blend.first), second = of(*blend.second);
+    const double* weight = blend.weight.constant();
+    const texture::Constant *a = first.constant(), *b = second.constant();
+    if (weight == nullptr) return first;
+    if (a == nullptr || b == nullptr) return *weight < 0.5 ? first : second;
+    const auto w = static_cast<float>(*weight);
+    return shown_as(a->rgb * (1.0f - w) + b->rgb * w);
+  }
+
+  static texture::Color of(const bsdf::Finish& finish) { return std::visit(Albedo{}, finish.kind); }
 };
 
-Model prepare(const bsdf::Matte& matte) {
-  return {matte, matte.color};
-}
-
-Model prepare(const bsdf::Metal& metal) {
-  const auto* index = std::get_if<ConductorIndex>(&metal.surface);
-  return {metal, index != nullptr ? texture::Color(normal_reflectance(*index))
-                                  : std::get<texture::Color>(metal.surface)};
-}
-
-Model prepare(const bsdf::Glass& glass) {
-  return {glass, white()};
-}
-
 /// The tint of the light, as bright as a surface can be.
-Model prepare(const description::Emissive& emissive) {
+texture::Color albedo_of(const description::Emissive& emissive) {
   const Rgb c = rgb_of(emissive.emission.spectrum);
   const float brightest = std::max({c.r, c.g, c.b});
-  if (!(brightest > 0.0f)) return {bsdf::Black{}, texture::Color(Spectrum::constant(0.0f))};
-  if (emissive.pattern.constant() == nullptr) {
-    return {bsdf::Black{}, emissive.pattern, emissive.pattern};
-  }
-  return {bsdf::Black{}, shown_as(c * (1.0f / brightest))};
+  if (!(brightest > 0.0f)) return Spectrum::constant(0.0f);
+  if (emissive.pattern.constant() == nullptr) return emissive.pattern;
+  return shown_as(c * (1.0f / brightest));
 }
 
 }  // namespace
 
 PreparedMaterial prepare_material(const description::Material& material) {
-  Model model = std::visit([](const auto& kind) { return prepare(kind); }, material.model);
-  return {std::move(model.material), std::move(model.albedo), material.detail,
-          std::move(model.pattern)};
+  bsdf::Finish finish = description::finish_of(material);
+  const auto* emissive = std::get_if<description::Emissive>(&material.model);
+  const texture::Color albedo = emissive ? albedo_of(*emissive) : Albedo::of(finish);
+  const texture::Color pattern = emissive ? emissive->pattern : white();
+  return {std::move(finish), albedo, material.detail, pattern};
 }
 
 }  // namespace lapidary::scene

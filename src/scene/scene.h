@@ -4,7 +4,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "bsdf/bsdf.h"
@@ -18,12 +17,9 @@
 
 namespace lapidary::scene {
 
-/// What a surface is made of.
-using Material = std::variant<bsdf::Matte, bsdf::Metal, bsdf::Glass, bsdf::Black>;
-
 /// A material with what does not depend on where it is hit.
 struct PreparedMaterial {
-  Material material;
+  bsdf::Finish finish;
   texture::Color albedo;  ///< what it reflects or lets through, for the albedo layer
   bsdf::SurfaceDetail detail;
   texture::Color pattern;  ///< of a light source: multiplies what it emits

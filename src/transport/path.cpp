@@ -208,7 +208,7 @@ SampledSpectrum Path::trace(const Ray& camera_ray, FirstSurface& first) {
       if (scene_.has_pattern(light)) Le *= pattern_at(scene_, material, met, context_.wavelengths);
       L_ += beta_ * Le;
     }
-    const bool is_glass = std::holds_alternative<bsdf::Glass>(material.material);
+    const bool is_glass = std::holds_alternative<bsdf::Glass>(material.finish.kind);
     if (is_glass && media.before == media.after) {
       pass_through(surface);
       origin_.lobe = Lobe::specular;  // next-event estimation ended here

@@ -9,7 +9,7 @@ namespace {
 using lapidary::test::Random;
 using test::direction;
 
-// 61 views of surfaces share a false-alarm rate of 1e-4.
+// 104 views of surfaces share a false-alarm rate of 1e-4.
 TEST(Sampling, FollowsItsDensity) {
   for (const auto& [name, surface] : test::rough_surfaces()) {
     if (name.starts_with("white") || name.starts_with("glass")) continue;  // nothing of their own
@@ -22,10 +22,11 @@ TEST(Sampling, FollowsItsDensity) {
           [&](Random& random) -> std::optional<Vec3d> {
             const double u_lobe = random.uniform();
             const auto s = sample(bsdf, wo, u_lobe, random.uniform2(), Mode::radiance);
-            return s ? std::optional(s->wi) : std::nullopt;
+            if (!s || s->lobe == Lobe::specular) return std::nullopt;
+            return s->wi;
           },
           [&](Vec3d wi) { return pdf(bsdf, wo, wi); },
-          {.samples = 30000, .tests = 61, .min_depth = min_depth, .max_depth = 8},
+          {.samples = 20000, .tests = 104, .min_depth = min_depth, .max_depth = 8},
           lapidary::test::sphere_grid(20, 20));
       EXPECT_TRUE(result.accepted) << name << " from " << view << ": " << result.message;
     }
@@ -44,6 +45,10 @@ TEST(Sampling, WeighsByValueOverDensity) {
           if (!s) continue;
           EXPECT_NEAR(length(s->wi), 1.0, 1e-9);
           EXPECT_EQ(s->side == Side::transmitted, s->wi.z * wo.z < 0.0);
+          if (s->lobe == Lobe::specular) {
+            EXPECT_EQ(s->pdf, 0.0);
+            continue;
+          }
           const BsdfValue value = evaluate_with_pdf(bsdf, wo, s->wi, mode);
           ASSERT_NEAR(value.pdf / s->pdf, 1.0, 1e-6) << name << " from " << view;
           for (std::size_t k = 0; k < 4; ++k) {
@@ -60,6 +65,13 @@ TEST(Sampling, SurvivesHostileDirectionsAndNumbers) {
   auto surfaces = test::rough_surfaces();
   surfaces.push_back({"mirror", Mirror{ConductorFresnel::from_normal_incidence({})}});
   surfaces.push_back({"smooth glass", test::dispersive_glass(0.0)});
+  surfaces.push_back({"pane", test::pane(1.5, {0.0f, 0.5f, 1.0f, 1.0f})});
+  surfaces.push_back(
+      {"coated mirror", test::coated({.index = 1.5}, Mirror{ConductorFresnel::from_normal_incidence(
+                                                         SampledSpectrum(1.0f))})});
+  surfaces.push_back({"black varnish", test::coated({.index = 1.0, .color = {}}, Black{})});
+  surfaces.push_back({"narrow fuzz", test::fuzzy({.tilt = smallest_tilt}, Black{})});
+  surfaces.push_back({"narrow phong", PhongLobes({}, SampledSpectrum(1.0f), 1e6)});
   surfaces.push_back({"narrow metal", test::white_metal(9e-4)});
   surfaces.push_back({"narrow glass", test::dispersive_glass(9e-4)});
   surfaces.push_back({"black", Black{}});
@@ -106,6 +118,14 @@ TEST(Sampling, SaysWhatIsSpecular) {
   // Facets between equal media bend nothing.
   EXPECT_TRUE(is_specular(glass(air, 0.2)));
   EXPECT_TRUE(is_specular(Black{}));
+  EXPECT_TRUE(is_specular(test::pane(1.5)));
+  // One lobe that is not is enough for next-event estimation.
+  const Bsdf diffuse = Diffuse{SampledSpectrum(0.5f)};
+  EXPECT_FALSE(is_specular(test::coated({}, diffuse)));
+  EXPECT_TRUE(is_specular(test::coated({}, make_bsdf(metal(0.0), place))));
+  EXPECT_FALSE(is_specular(test::coated({.alpha = 0.1}, make_bsdf(metal(0.0), place))));
+  EXPECT_FALSE(is_specular(test::mixture(test::pane(1.5), diffuse, 0.1)));
+  EXPECT_TRUE(is_specular(test::mixture(test::pane(1.5), Black{}, 0.1)));
 }
 
 }  // namespace

@@ -31,9 +31,50 @@ inline Bsdf dispersive_glass(double alpha) {
   return RoughDielectric(index, alpha);
 }
 
+inline Bsdf coated(const Coat::Look& look, Bsdf base) {
+  return Layered(Coat(look), nested(std::move(base)));
+}
+
+inline Bsdf fuzzy(const Fuzz::Look& look, Bsdf base) {
+  return Layered(Fuzz(look), nested(std::move(base)));
+}
+
+inline Bsdf mixture(Bsdf a, Bsdf b, double weight) {
+  return Mixture(nested(std::move(a)), nested(std::move(b)), weight);
+}
+
+inline Bsdf pane(double n, SampledSpectrum color = SampledSpectrum(1.0f)) {
+  return Pane({n, n, n, n}, color);
+}
+
+/// Those that are made of others, some with specular lobes.
+inline std::vector<NamedBsdf> composite_surfaces() {
+  const SampledSpectrum red(0.1f, 0.2f, 0.9f, 0.6f), blue(0.8f, 0.5f, 0.1f, 0.2f);
+  const Bsdf matte = Diffuse{red};
+  const Bsdf varnished = coated({.index = 1.6, .color = blue}, matte);
+  return {
+      {"varnished matte", varnished},
+      {"satin matte", coated({.index = 1.5, .alpha = 0.3, .weight = 0.7, .tint = blue}, matte)},
+      {"coated metal", coated({.index = 1.3, .alpha = 1.0}, white_metal(0.3))},
+      {"velvet", fuzzy({.tilt = 0.2, .color = blue}, matte)},
+      {"felt", fuzzy({.tilt = 0.9, .weight = 0.5}, RoughDiffuse(red, 1.0))},
+      {"dusty mirror", fuzzy({.tilt = 0.5}, Mirror{ConductorFresnel::from_normal_incidence(red)})},
+      {"dusty varnish", fuzzy({.tilt = 0.4}, varnished)},
+      {"patches", mixture(matte, white_metal(0.3), 0.3)},
+      {"dirty pane", mixture(pane(1.5, blue), matte, 0.4)},
+      {"dirty glass", mixture(coated({.index = 1.5}, matte), glass(1.5, 0.3), 0.6)},
+      {"coated glass", coated({.index = 1.4, .alpha = 0.3, .color = blue}, glass(1.5, 0.3))},
+  };
+}
+
 /// Every kind that is not specular, smooth to rough.
 inline std::vector<NamedBsdf> rough_surfaces() {
-  std::vector<NamedBsdf> all{{"diffuse", Diffuse{SampledSpectrum(0.5f)}}};
+  std::vector<NamedBsdf> all = composite_surfaces();
+  const SampledSpectrum half(0.5f);
+  all.push_back({"diffuse", Diffuse{half}});
+  all.push_back({"rough diffuse", RoughDiffuse({0.9f, 0.5f, 0.1f, 1.0f}, 1.0)});
+  all.push_back({"wide phong", PhongLobes(half, half, 2.0)});
+  all.push_back({"phong", PhongLobes(half * 0.1f, {0.9f, 0.1f, 0.5f, 0.0f}, 50.0)});
   const SampledSpectrum n(0.2f, 1.1f, 0.4f, 2.0f), k(3.5f, 2.4f, 5.0f, 0.5f);
   for (const double alpha : {0.05, 0.3, 1.0}) {
     const std::string suffix = " " + std::to_string(alpha);
@@ -47,8 +88,7 @@ inline std::vector<NamedBsdf> rough_surfaces() {
 }
 
 inline bool transparent(const Bsdf& bsdf) {
-  return std::holds_alternative<SmoothDielectric>(bsdf) ||
-         std::holds_alternative<RoughDielectric>(bsdf);
+  return traits_of(bsdf).transparent;
 }
 
 inline bool dispersive(const Bsdf& bsdf) {
@@ -61,10 +101,15 @@ inline Vec3d direction(double cos_theta, double phi = 0.7) {
   return {sin_theta * std::cos(phi), sin_theta * std::sin(phi), cos_theta};
 }
 
-/// Cosines of views from above, and from inside where the surface is transparent.
+/// Cosines of views from above, and from inside where the surface is transparent; fewer of surfaces
+/// that are made of others.
 inline std::vector<double> views(const Bsdf& bsdf) {
-  std::vector<double> all{1.0, 0.7, 0.3, 0.02};
-  if (transparent(bsdf)) all.insert(all.end(), {-1.0, -0.8, -0.5, -0.05});
+  const bool composite =
+      std::holds_alternative<Layered>(bsdf) || std::holds_alternative<Mixture>(bsdf);
+  std::vector<double> all{0.7, 0.02};
+  if (!composite) all.insert(all.end(), {1.0, 0.3});
+  if (transparent(bsdf)) all.insert(all.end(), {-0.8, -0.05});
+  if (transparent(bsdf) && !composite) all.insert(all.end(), {-1.0, -0.5});
   return all;
 }
 

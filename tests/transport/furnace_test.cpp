@@ -97,6 +97,38 @@ TEST(Furnace, ManyBodiesAreInvisible) {
   expect_white(tiny.build(), {0.01, {{.max_depth = 200}, 64, 256}});
 }
 
+bsdf::FinishPtr part(auto kind) {
+  return std::make_shared<const bsdf::Finish>(bsdf::Finish{std::move(kind)});
+}
+
+// With specular lobes beside others: what next-event estimation finds and what chance hits find
+// must be the whole together (the tolerances are those of bsdf/layered.h).
+TEST(Furnace, LayersAndBlendsAreInvisible) {
+  const auto white = [] { return part(bsdf::Matte{grey(1.0)}); };
+  const Whiteness layer{.tolerance = 0.006};
+  expect_white(material(description::Coated{white()}), layer);
+  expect_white(material(description::Velvet{grey(1.0)}), layer);
+  expect_white(material(description::Coated{part(bsdf::Metal{grey(1.0)}), 1.7, 0.5}), layer);
+  const bsdf::Blend patches{white(), part(bsdf::Metal{grey(1.0)}), 0.5};
+  expect_white(material(description::Blend{patches, std::nullopt}));
+}
+
+TEST(Furnace, PanesAreInvisible) {
+  const auto pane = material(description::ThinGlass{});
+  expect_white(pane);
+  const geometry::Rectangle sheet{{-0.9, 0.2, -0.9}, {1.8, 0, 0}, {0, 0, 1.8}};
+  expect_white(TinyScene().add(sheet, pane).sky(1.0).build(), {});
+  const bsdf::Blend dirty{part(bsdf::ThinGlass{}), part(bsdf::Matte{grey(1.0)}), 0.5};
+  expect_white(TinyScene().add(sheet, material(description::Blend{dirty, {}})).sky(1.0).build(),
+               {});
+}
+
+TEST(Furnace, BlendsOfGlassAreInvisible) {
+  const bsdf::Glass clear{RefractiveIndex::constant(1.5)};
+  const bsdf::Blend milky{part(clear), part(bsdf::Matte{grey(1.0)}), 0.5};
+  expect_white(material(description::Blend{milky, description::Glass{clear, std::nullopt}}));
+}
+
 // Open surfaces, from both sides.
 TEST(Furnace, SheetsAreInvisible) {
   const geometry::Rectangle sheet{{-0.9, 0.2, -0.9}, {1.8, 0, 0}, {0, 0, 1.8}};

@@ -1,0 +1,65 @@
+#include <algorithm>
+
+#include "bsdf/bsdf.h"
+
+namespace lapidary::bsdf {
+namespace {
+
+/// Makes the BSDF of any kind, at one place.
+struct Maker {
+  const Place& place;
+  const Surroundings& around;
+
+  Bsdf operator()(const Matte& matte) const { return make_bsdf(matte, place); }
+  Bsdf operator()(const Metal& metal) const { return make_bsdf(metal, place); }
+  Bsdf operator()(const Phong& phong) const { return make_bsdf(phong, place); }
+  Bsdf operator()(const ThinGlass& glass) const { return make_bsdf(glass, place); }
+  Bsdf operator()(const Principled& p) const { return make_bsdf(p, place, around); }
+  Bsdf operator()(const Black& black) const { return black; }
+
+  Bsdf operator()(const Glass& glass) const {
+    const Wavelengths& wavelengths = place.wavelengths;
+    return make_glass({around.above.at(wavelengths), around.below.at(wavelengths)},
+                      place.share(glass.roughness), around.carried);
+  }
+
+  Bsdf operator()(const Velvet& velvet) const {
+    const SampledSpectrum color = place.share(velvet.color);
+    Bsdf ground = velvet.base ? make_bsdf(*velvet.base, place, around) : Diffuse{color};
+    const double tilt = between(smallest_tilt, 1.0, place.share(velvet.roughness));
+    return make_layered(Fuzz({.tilt = tilt, .color = color}), std::move(ground));
+  }
+
+  Bsdf operator()(const Coated& coated) const {
+    const double roughness = place.share(coated.roughness);
+    const Coat coat({.index = coated.index,
+                     .alpha = facet_alpha(roughness),
+                     .color = place.share(coated.color)});
+    return make_layered(coat, make_bsdf(*coated.base, place, around));
+  }
+
+  Bsdf operator()(const Blend& blend) const {
+    const double weight = place.share(blend.weight);
+    if (weight == 0.0) return make_bsdf(*blend.first, place, around);
+    if (weight == 1.0) return make_bsdf(*blend.second, place, around);
+    return Mixture(nested(make_bsdf(*blend.first, place, around)),
+                   nested(make_bsdf(*blend.second, place, around)), weight);
+  }
+};
+
+}  // namespace
+
+Bsdf make_layered(const Layered::Layer& layer, Bsdf base) {
+  if (const auto* mixture = std::get_if<Mixture>(&base)) {
+    return Mixture(nested(make_layered(layer, mixture->first()->bsdf)),
+                   nested(make_layered(layer, mixture->second()->bsdf)), mixture->weight());
+  }
+  return Layered(layer, nested(std::move(base)));
+}
+
+Bsdf make_bsdf(const Finish& finish, const Place& place, const Surroundings& around) {
+  if (const auto* matte = std::get_if<Matte>(&finish.kind)) return make_bsdf(*matte, place);
+  return std::visit(Maker{place, around}, finish.kind);
+}
+
+}  // namespace lapidary::bsdf

@@ -1,0 +1,120 @@
+#include "bsdf/layered.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bsdf/bsdf.h"
+
+namespace lapidary::bsdf {
+namespace {
+
+template <typename Function>
+decltype(auto) of(const Layered::Layer& layer, Function function) {
+  return std::visit(function, layer);
+}
+
+}  // namespace
+
+Layered::Layered(const Layer& layer, NestedPtr base)
+    : layer_(layer), base_(std::move(base)), base_traits_(traits_of(base_->bsdf)) {}
+
+double Layered::albedo(double z) const {
+  if (!(z > 0.0)) return 0.0;
+  return of(layer_, [z](const auto& layer) { return layer.albedo(std::min(z, 1.0)); });
+}
+
+// Of light that the base gives back, the share r comes down again: the bounces sum to
+// (1 - r) / (1 - r rho), relative to a white base.
+SampledSpectrum Layered::passage(Vec3d wo, Vec3d wi) const {
+  return of(layer_, [&](const auto& layer) {
+    const double to = 1.0 - albedo(wo.z), ti = 1.0 - albedo(wi.z);
+    const double spread = spread_below(std::min(wo.z, wi.z));
+    const double clearer = std::max(to, ti);
+    const double kept = std::lerp(clearer, 1.0 - layer.average_albedo(), spread);
+    SampledSpectrum left(static_cast<float>(kept > 0.0 ? to * ti / kept : 0.0));
+    if (wo.z > 0.0) left *= layer.one_way(std::min(wo.z, 1.0));
+    if (wi.z > 0.0) left *= layer.one_way(std::min(wi.z, 1.0));
+    if (base_traits_.transparent) return left;
+    const double back =
+        std::lerp(layer.return_when_mirrored(1.0 - clearer), layer.return_when_diffuse(), spread);
+    // Parallel to the surface all of it, over which a white base has no limit in floats.
+    const auto r = static_cast<float>(std::min(back, 0.9999));
+    const SampledSpectrum one(1.0f), once = layer.one_way(1.0);
+    return left * (1.0f - r) / (one - base_traits_.albedo * once * once * r);
+  });
+}
+
+double Layered::spread_below(double mu) const {
+  const auto* layered = std::get_if<Layered>(&base_->bsdf);
+  return layered != nullptr ? layered->spread(mu) : base_traits_.spread;
+}
+
+// Fibres forget where light came from, a coat does not.
+double Layered::spread(double mu) const {
+  const double own = std::holds_alternative<Fuzz>(layer_) ? 1.0 : 0.0;
+  return std::lerp(spread_below(mu), own, albedo(mu));
+}
+
+double Layered::chance_of_layer(double z) const {
+  if (!(z > 0.0)) return 0.0;
+  const double e = albedo(z);
+  const double tint = of(layer_, [](const auto& layer) { return layer.tint().average(); });
+  // A base is brighter at some angles than it is on average.
+  const double base =
+      (1.0 - e) * std::max(static_cast<double>(base_traits_.albedo.average()), 0.05);
+  const double chance = e * tint / (e * tint + base);
+  // The few flakes of a pile that face a view from above are much brighter than the rest.
+  const double least = std::holds_alternative<Fuzz>(layer_) && e > 0.0 ? 0.1 : 0.0;
+  return base > 0.0 ? std::max(chance, least) : 1.0;
+}
+
+BsdfValue Layered::evaluate_with_pdf(Vec3d wo, Vec3d wi, Mode mode) const {
+  const bool outside = wo.z > 0.0 && wi.z > 0.0;
+  if (!outside && !base_traits_.transparent) return {};
+  const double chance = chance_of_layer(wo.z);
+  BsdfValue value = bsdf::evaluate_with_pdf(base_->bsdf, wo, wi, mode);
+  value.pdf *= 1.0 - chance;
+  if (!value.f_cos.is_zero()) value.f_cos *= passage(wo, wi);
+  if (outside) {
+    const BsdfValue layer = of(layer_, [&](const auto& l) { return l.evaluate_with_pdf(wo, wi); });
+    value.f_cos += layer.f_cos;
+    value.pdf += chance * layer.pdf;
+  }
+  return value;
+}
+
+std::optional<BsdfSample> Layered::sample(Vec3d wo, double u_lobe, Vec2d u, Mode mode) const {
+  if (wo.z == 0.0 || (wo.z < 0.0 && !base_traits_.transparent)) return {};
+  const double chance = chance_of_layer(wo.z);
+  const bool on_layer = u_lobe < chance;
+  auto sample = on_layer ? of(layer_, [&](const auto& layer) { return layer.sample(wo, u); })
+                         : bsdf::sample(base_->bsdf, wo, rescaled(u_lobe, chance, 1.0), u, mode);
+  if (!sample) return {};
+  if (sample->lobe == Lobe::specular) {
+    if (!on_layer) sample->weight *= passage(wo, sample->wi);
+    sample->weight *= static_cast<float>(1.0 / (on_layer ? chance : 1.0 - chance));
+    return sample;
+  }
+  const BsdfValue value = evaluate_with_pdf(wo, sample->wi, mode);
+  if (!(value.pdf > 0.0)) return {};
+  sample->weight = value.f_cos * static_cast<float>(1.0 / value.pdf);
+  sample->pdf = value.pdf;
+  return sample;
+}
+
+bool Layered::is_specular() const {
+  return base_traits_.specular && of(layer_, [](const auto& layer) { return layer.specular(); });
+}
+
+Traits Layered::traits() const {
+  return of(layer_, [&](const auto& layer) {
+    const auto e = static_cast<float>(layer.average_albedo());
+    const auto r = static_cast<float>(layer.return_when_diffuse());
+    const SampledSpectrum one(1.0f), once = layer.one_way(1.0);
+    const SampledSpectrum rho = base_traits_.albedo * once * once;
+    const SampledSpectrum base = rho * (1.0f - e) * (1.0f - r) / (one - rho * r);
+    return Traits{layer.tint() * e + base, spread(0.5), is_specular(), base_traits_.transparent};
+  });
+}
+
+}  // namespace lapidary::bsdf
