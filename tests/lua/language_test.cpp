@@ -144,6 +144,7 @@ TEST_F(Language, HelpKnowsEveryNodeAndMethod) {
 TEST_F(Language, EveryExampleOfHelpRuns) {
   write("scene/duck.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   write("scene/sky.hdr", "only its name is looked at");
+  write("scene/lamp.ies", "only its name is looked at");
   image::write_image(folder_ / "scene/wood.jpg", image::Image(2, 2));
   for (const auto& info : node_infos()) {
     EXPECT_FALSE(info.examples.empty()) << info.name;

@@ -88,7 +88,9 @@ TEST(Relief, SofteningTakesOnlyLightAway) {
     const double share = transport::terminator_share(vertex, wi, vertex.frame.to_local(wi));
     EXPECT_GE(share, 0.0);
     EXPECT_LE(share, 1.0);
-    if (angle > 1.5) EXPECT_LT(share, 0.3) << "near the horizon of the shape";
+    if (angle > 1.5) {
+      EXPECT_LT(share, 0.3) << "near the horizon of the shape";
+    }
   }
   vertex.frame = Frame::from_normal(up);
   EXPECT_EQ(transport::terminator_share(vertex, {0.6, 0, 0.8}, {0.6, 0, 0.8}), 1.0);
