@@ -50,7 +50,7 @@ class Sweep {
   /// with it. `scene` and `ray` must outlive the sweep.
   Sweep(const SolidScene& scene, const Ray& ray, double t_max);
   Sweep(const SolidScene& scene, const Ray& ray) : Sweep(scene, ray, ray.t_max) {}
-  /// The same for a ray that was prepared before.
+  /// The same for a ray that was prepared before. `slabs` must outlive the sweep, too.
   Sweep(const SolidScene& scene, const Ray& ray, const Bvh::Slabs& slabs, double t_max);
   ~Sweep();
   Sweep(const Sweep&) = delete;
@@ -71,6 +71,7 @@ class Sweep {
   struct Member;
   struct Toggle;
   struct NodeState;
+  struct Shown;
   class ScratchPool;
 
   /// Whether a leaf is inside since the group, which is a change, or was so before it already.
@@ -84,6 +85,7 @@ class Sweep {
   };
 
   // sweep.cpp: what comes next
+  void start();
   bool next_change(Change& change);
   void begin_group();
   bool collect_events();
@@ -113,6 +115,9 @@ class Sweep {
 
   // sweep_surface.cpp: which surface that makes
   void describe(const Change& change, Transition& found);
+  bool is_of_after(const Change& change) const;
+  Shown shown(std::uint32_t region, bool enters) const;
+  Shown shown_of_many(std::uint32_t region, bool enters) const;
   std::optional<BooleanTree::Link> cause(const Member& member, std::uint32_t region,
                                          bool enters) const;
   bool path_changed(std::uint32_t slot, BooleanTree::Link link, std::uint32_t region,
@@ -120,6 +125,8 @@ class Sweep {
 
   const SolidScene& scene_;
   const Ray& ray_;
+  std::optional<Bvh::Slabs> own_slabs_;
+  const Bvh::Slabs& slabs_;  ///< of the ray
   double t_max_;
   std::unique_ptr<Scratch> s_;
   // Of the error intervals of the group.
