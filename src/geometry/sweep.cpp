@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "geometry/sweep_state.h"
@@ -11,24 +13,25 @@ namespace lapidary::geometry {
 /// Sweeps may be nested, so a thread has as many scratches as it ever had sweeps at a time.
 class Sweep::ScratchPool {
  public:
-  static std::unique_ptr<Scratch> take() {
-    auto& free = first();
-    if (!free) return std::make_unique<Scratch>();
-    std::unique_ptr<Scratch> scratch = std::move(free);
-    free = std::move(scratch->next_free);
-    return scratch;
+  static Scratch* take() {
+    if (free_ == nullptr) return make();
+    return std::exchange(free_, free_->next_free);
   }
-  static void give_back(std::unique_ptr<Scratch> scratch) {
-    scratch->next_free = std::move(first());
-    first() = std::move(scratch);
+  static void give_back(Scratch* scratch) {
+    scratch->next_free = free_;
+    free_ = scratch;
   }
 
  private:
-  static std::unique_ptr<Scratch>& first() {
-    thread_local std::unique_ptr<Scratch> free;
-    return free;
+  static Scratch* make() {
+    thread_local std::vector<std::unique_ptr<Scratch>> all;
+    return all.emplace_back(std::make_unique<Scratch>()).get();
   }
+
+  static constinit thread_local Scratch* free_;  // by itself: it has nothing to initialise
 };
+
+constinit thread_local Sweep::Scratch* Sweep::ScratchPool::free_ = nullptr;
 
 Sweep::Sweep(const SolidScene& scene, const Ray& ray, double t_max)
     : scene_(scene),
@@ -55,7 +58,7 @@ void Sweep::start() {
 }
 
 Sweep::~Sweep() {
-  ScratchPool::give_back(std::move(s_));
+  ScratchPool::give_back(s_);
 }
 
 void Sweep::begin_group() {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 
 #include "geometry/ray.h"
@@ -128,7 +127,7 @@ class Sweep {
   std::optional<Bvh::Slabs> own_slabs_;
   const Bvh::Slabs& slabs_;  ///< of the ray
   double t_max_;
-  std::unique_ptr<Scratch> s_;
+  Scratch* s_;  ///< of the thread's pool
   // Of the error intervals of the group.
   double lower_ = 0, upper_ = 0, widest_tau_ = 0;
   std::uint64_t cut_groups_ = 0;

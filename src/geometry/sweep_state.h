@@ -109,7 +109,7 @@ struct Sweep::Scratch {
   InlineBuffer<NodeOfSlot, 16> released;  ///< nodes whose waiting leaves may matter now
   std::vector<BooleanTree::Link> path;
   EventBuffer buffer;
-  std::unique_ptr<Scratch> next_free;  ///< of the pool
+  Scratch* next_free = nullptr;  ///< of the pool
 
   void clear() {
     ++query;
