@@ -133,11 +133,11 @@ inline Bvh::Slabs::Slabs(const Line& line, double displacement) {
     // lies in a face from multiplying zero by the infinite inverse of a zero direction.
     const float margin = std::abs(nearest) * 0x1p-23f + (1e-37f + slack);
     const float d = static_cast<float>(line.direction[axis]);
-    const bool forward = !std::signbit(d);
-    origin_near[axis] = forward ? nearest + margin : nearest - margin;
-    origin_far[axis] = forward ? nearest - margin : nearest + margin;
+    const float along = std::copysign(margin, d);
+    origin_near[axis] = nearest + along;
+    origin_far[axis] = nearest - along;
     inverse[axis] = 1.0f / d;
-    near_row[axis] = static_cast<std::uint32_t>(2 * axis + (forward ? 0 : 1));
+    near_row[axis] = static_cast<std::uint32_t>(2 * axis + (std::signbit(d) ? 1 : 0));
     far_row[axis] = near_row[axis] ^ 1u;
   }
 }
@@ -145,9 +145,7 @@ inline Bvh::Slabs::Slabs(const Line& line, double displacement) {
 inline unsigned Bvh::test(const Node& node, const Slabs& slabs, float t_max,
                           std::array<float, width>& entry, std::array<float, width>& exit) {
   __m256 t0 = _mm256_setzero_ps();
-  __m256 t1 = _mm256_set1_ps(t_max);
-  // Four roundings (difference, product, inverse, direction) of at most 2^-24 each.
-  const __m256 shrink = _mm256_set1_ps(1.0f - 0x1p-21f), grow = _mm256_set1_ps(1.0f + 0x1p-21f);
+  __m256 t1 = _mm256_set1_ps(std::numeric_limits<float>::infinity());
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const __m256 inverse = _mm256_set1_ps(slabs.inverse[axis]);
     const __m256 lo = _mm256_load_ps(node.bounds[slabs.near_row[axis]].data());
@@ -156,9 +154,13 @@ inline unsigned Bvh::test(const Node& node, const Slabs& slabs, float t_max,
         _mm256_mul_ps(_mm256_sub_ps(lo, _mm256_set1_ps(slabs.origin_near[axis])), inverse);
     const __m256 b =
         _mm256_mul_ps(_mm256_sub_ps(hi, _mm256_set1_ps(slabs.origin_far[axis])), inverse);
-    t0 = _mm256_max_ps(t0, _mm256_mul_ps(a, shrink));
-    t1 = _mm256_min_ps(t1, _mm256_mul_ps(b, grow));
+    t0 = _mm256_max_ps(t0, a);
+    t1 = _mm256_min_ps(t1, b);
   }
+  // Four roundings (difference, product, inverse, direction) of at most 2^-24 each.
+  const __m256 shrink = _mm256_set1_ps(1.0f - 0x1p-21f), grow = _mm256_set1_ps(1.0f + 0x1p-21f);
+  t0 = _mm256_mul_ps(t0, shrink);
+  t1 = _mm256_min_ps(_mm256_set1_ps(t_max), _mm256_mul_ps(t1, grow));
   _mm256_storeu_ps(entry.data(), t0);
   _mm256_storeu_ps(exit.data(), t1);
   return static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(t0, t1, _CMP_LE_OQ)));

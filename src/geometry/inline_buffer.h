@@ -6,8 +6,8 @@
 
 namespace lapidary::geometry {
 
-/// A list that allocates only when it holds more than `inline_capacity` elements. Not initialised:
-/// T is trivial.
+/// A list that allocates only when it holds more than ever before, and than `inline_capacity`
+/// elements. Not initialised: T is trivial.
 template <typename T, std::size_t inline_capacity>
 class InlineBuffer {
  public:
@@ -19,13 +19,19 @@ class InlineBuffer {
     if (count_ == capacity_) grow();
     elements_[count_++] = element;
   }
+  void clear() { count_ = 0; }
+  void drop_last() { --count_; }
   std::size_t size() const { return count_; }
+  bool empty() const { return count_ == 0; }
   T& operator[](std::size_t i) { return elements_[i]; }
+  T& back() { return elements_[count_ - 1]; }
   T* begin() { return elements_; }
   T* end() { return elements_ + count_; }
+  const T* begin() const { return elements_; }
+  const T* end() const { return elements_ + count_; }
 
  private:
-  void grow() {
+  [[gnu::noinline]] void grow() {  // so that `push` is short enough to inline
     if (many_.empty()) many_.assign(few_.begin(), few_.end());
     many_.resize(2 * capacity_);
     elements_ = many_.data();

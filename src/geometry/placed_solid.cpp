@@ -155,6 +155,10 @@ const Transform& PlacedSolid::world_from_solid() const {
   return origin_ ? origin_->space.world_from_own() : identity;
 }
 
+void intervals_of_shape_line(const PlacedSolid& placed, const Line& line, EventBuffer& events) {
+  intervals(placed.shape(), placed.shape_line(line), events);
+}
+
 Vec3d outward_normal(const PlacedSolid& placed, Patch patch, Vec3d p) {
   if (placed.space() == PlacedSolid::Space::world) return outward_normal(placed.shape(), patch, p);
   const OwnSpace& own = *placed.own_space();

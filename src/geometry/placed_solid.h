@@ -62,7 +62,7 @@ class PlacedSolid {
   Space space_ = Space::own;
 };
 
-void intervals(const PlacedSolid& placed, const Line& line, EventBuffer& events);
+inline void intervals(const PlacedSolid& placed, const Line& line, EventBuffer& events);
 Vec3d outward_normal(const PlacedSolid& placed, Patch patch, Vec3d p);
 /// As stated for the solid itself: textures stay with their solid under every map.
 SurfaceUv surface_uv(const PlacedSolid& placed, Patch patch, Vec3d p);
@@ -88,10 +88,13 @@ inline Line PlacedSolid::shape_line(const Line& line) const {
           line.direction_error + turn_per_t};
 }
 
+/// Of solids that do not take world lines: out of the way of those that do.
+void intervals_of_shape_line(const PlacedSolid& placed, const Line& line, EventBuffer& events);
+
 inline void intervals(const PlacedSolid& placed, const Line& line, EventBuffer& events) {
   // Not copied, where it was just written: that stalls the processor.
   if (placed.takes_world_lines()) return intervals(placed.shape(), line, events);
-  intervals(placed.shape(), placed.shape_line(line), events);
+  intervals_of_shape_line(placed, line, events);
 }
 
 }  // namespace lapidary::geometry

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "geometry/sweep_state.h"
@@ -11,47 +13,52 @@ namespace lapidary::geometry {
 /// Sweeps may be nested, so a thread has as many scratches as it ever had sweeps at a time.
 class Sweep::ScratchPool {
  public:
-  static std::unique_ptr<Scratch> take() {
-    auto& free = list();
-    if (free.empty()) return std::make_unique<Scratch>();
-    std::unique_ptr<Scratch> scratch = std::move(free.back());
-    free.pop_back();
-    return scratch;
+  static Scratch* take() {
+    if (free_ == nullptr) return make();
+    return std::exchange(free_, free_->next_free);
   }
-  static void give_back(std::unique_ptr<Scratch> scratch) { list().push_back(std::move(scratch)); }
+  static void give_back(Scratch* scratch) {
+    scratch->next_free = free_;
+    free_ = scratch;
+  }
 
  private:
-  static std::vector<std::unique_ptr<Scratch>>& list() {
-    thread_local std::vector<std::unique_ptr<Scratch>> free;
-    return free;
+  static Scratch* make() {
+    thread_local std::vector<std::unique_ptr<Scratch>> all;
+    return all.emplace_back(std::make_unique<Scratch>()).get();
   }
+
+  static constinit thread_local Scratch* free_;  // by itself: it has nothing to initialise
 };
 
+constinit thread_local Sweep::Scratch* Sweep::ScratchPool::free_ = nullptr;
+
 Sweep::Sweep(const SolidScene& scene, const Ray& ray, double t_max)
-    : Sweep(scene, ray, Bvh::Slabs(ray.line()), t_max) {}
+    : scene_(scene),
+      ray_(ray),
+      own_slabs_(ray.line()),
+      slabs_(*own_slabs_),
+      t_max_(t_max),
+      s_(ScratchPool::take()) {
+  start();
+}
 
 Sweep::Sweep(const SolidScene& scene, const Ray& ray, const Bvh::Slabs& slabs, double t_max)
-    : scene_(scene), ray_(ray), t_max_(t_max), s_(ScratchPool::take()) {
-  ++s_->query;
-  s_->group_number = 0;
-  s_->walk_number = 0;
-  s_->node_count = 0;
-  s_->queue.clear();
-  s_->events.clear();
-  s_->group.clear();
-  s_->slots.clear();
-  s_->toggles.clear();
-  s_->waiting.clear();
-  s_->released.clear();
-  s_->inside.assign(scene.regions_at_rest().begin(), scene.regions_at_rest().end());
-  const Compound& world = scene.world();
-  s_->open_slot(world, 0, ray.line(), slabs);
+    : scene_(scene), ray_(ray), slabs_(slabs), t_max_(t_max), s_(ScratchPool::take()) {
+  start();
+}
+
+void Sweep::start() {
+  s_->clear();
+  for (const std::uint32_t region : scene_.regions_at_rest()) s_->inside.push(region);
+  const Compound& world = scene_.world();
+  s_->open_slot(world, 0, ray_.line());
   for (const Compound::Item item : world.unbounded()) open_item(0, item, 0.0);
   if (!world.bvh().empty()) open_box(0, world.outermost(), 0.0);
 }
 
 Sweep::~Sweep() {
-  ScratchPool::give_back(std::move(s_));
+  ScratchPool::give_back(s_);
 }
 
 void Sweep::begin_group() {
@@ -82,7 +89,7 @@ bool Sweep::collect_events() {
     }
     const Member& event = s_->events[next.event()];
     if (!s_->group.empty() &&
-        event.t - s_->group.front().t > widest * std::max(widest_tau_, event.tau)) {
+        event.t - s_->member(0).t > widest * std::max(widest_tau_, event.tau)) {
       ++cut_groups_;
       break;
     }
@@ -90,7 +97,7 @@ bool Sweep::collect_events() {
     widest_tau_ = std::max(widest_tau_, event.tau);
     lower_ = std::min(lower_, key);
     upper_ = std::max(upper_, event.t + event.tau);
-    s_->group.push_back(event);
+    s_->group.push(next.event());
     if (!event.is_last) push_event(next.event() + 1);
   }
   return !s_->group.empty();
@@ -112,7 +119,8 @@ void Sweep::open(const Entry& entry) {
 /// What is in a box comes up no sooner than at t = `key`.
 void Sweep::open_box(std::uint32_t slot, Bvh::Ref box, double key) {
   const Scratch::Slot& at = s_->slots[slot];
-  at.compound->bvh().expand(box, at.slabs, t_max_, [&](float t, float exit, Bvh::Ref child) {
+  const Bvh::Slabs& slabs = slot == 0 ? slabs_ : *at.slabs;
+  at.compound->bvh().expand(box, slabs, t_max_, [&](float t, float exit, Bvh::Ref child) {
     s_->queue.push(std::max(static_cast<double>(t), key), Entry::of_box(slot, child), exit);
   });
 }
@@ -135,7 +143,8 @@ void Sweep::open_place(std::uint32_t index) {
       place.at(ray_.time, [this](const OwnSpace& s) { return s.line(s_->slots[0].line); });
   // Near the boxes |t| is at most this, and so the displacement is bounded.
   const double t = (length(line.origin) + place.reach) / length(line.direction);
-  s_->open_slot(compound, index + 1, line, Bvh::Slabs(line, line.error_at(t)));
+  s_->open_slot(compound, index + 1, line);
+  s_->slots.back().slabs.emplace(line, line.error_at(t));
   const auto slot = static_cast<std::uint32_t>(s_->slots.size() - 1);
   for (const Compound::Item item : compound.unbounded()) open_item(slot, item, 0.0);
   if (!compound.bvh().empty()) open_box(slot, compound.outermost(), 0.0);
@@ -197,7 +206,7 @@ void Sweep::open_leaf(std::uint32_t slot, std::uint32_t leaf, double key) {
   const auto first = static_cast<std::uint32_t>(s_->events.size());
   for (; i < buffer.size(); ++i) {
     const Event& e = buffer[i];
-    s_->events.push_back({e.t, e.tau, slot, leaf, e.patch, e.crossing, i + 1 == buffer.size()});
+    s_->events.push({e.t, e.tau, slot, leaf, e.patch, e.crossing, i + 1 == buffer.size()});
   }
   push_event(first);
 }
@@ -208,13 +217,14 @@ bool Sweep::next_change(Change& change) {
   for (;;) {
     begin_group();
     if (!collect_events()) return false;
-    for (std::size_t applied = 0; applied < s_->group.size() && collect_events();) {
+    for (std::size_t applied = 0; applied < s_->group.size();) {
       for (; applied < s_->group.size(); ++applied) {
-        const Member& m = s_->group[applied];
+        const Member& m = s_->member(applied);
         feed_leaf(m.slot, m.leaf, m.crossing == Crossing::enter, Since::group);
       }
+      if (s_->released.empty()) break;
       // What waited for this may have events of its own here.
-      if (!s_->released.empty()) release(lower_);
+      release(lower_);
       collect_events();
     }
     if (s_->toggles.empty()) continue;

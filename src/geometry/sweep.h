@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 
 #include "geometry/ray.h"
@@ -50,7 +49,7 @@ class Sweep {
   /// with it. `scene` and `ray` must outlive the sweep.
   Sweep(const SolidScene& scene, const Ray& ray, double t_max);
   Sweep(const SolidScene& scene, const Ray& ray) : Sweep(scene, ray, ray.t_max) {}
-  /// The same for a ray that was prepared before.
+  /// The same for a ray that was prepared before. `slabs` must outlive the sweep, too.
   Sweep(const SolidScene& scene, const Ray& ray, const Bvh::Slabs& slabs, double t_max);
   ~Sweep();
   Sweep(const Sweep&) = delete;
@@ -71,6 +70,7 @@ class Sweep {
   struct Member;
   struct Toggle;
   struct NodeState;
+  struct Shown;
   class ScratchPool;
 
   /// Whether a leaf is inside since the group, which is a change, or was so before it already.
@@ -84,6 +84,7 @@ class Sweep {
   };
 
   // sweep.cpp: what comes next
+  void start();
   bool next_change(Change& change);
   void begin_group();
   bool collect_events();
@@ -113,6 +114,9 @@ class Sweep {
 
   // sweep_surface.cpp: which surface that makes
   void describe(const Change& change, Transition& found);
+  bool is_of_after(const Change& change) const;
+  Shown shown(std::uint32_t region, bool enters) const;
+  Shown shown_of_many(std::uint32_t region, bool enters) const;
   std::optional<BooleanTree::Link> cause(const Member& member, std::uint32_t region,
                                          bool enters) const;
   bool path_changed(std::uint32_t slot, BooleanTree::Link link, std::uint32_t region,
@@ -120,8 +124,10 @@ class Sweep {
 
   const SolidScene& scene_;
   const Ray& ray_;
+  std::optional<Bvh::Slabs> own_slabs_;
+  const Bvh::Slabs& slabs_;  ///< of the ray
   double t_max_;
-  std::unique_ptr<Scratch> s_;
+  Scratch* s_;  ///< of the thread's pool
   // Of the error intervals of the group.
   double lower_ = 0, upper_ = 0, widest_tau_ = 0;
   std::uint64_t cut_groups_ = 0;

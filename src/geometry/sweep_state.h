@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "geometry/inline_buffer.h"
 #include "geometry/sweep.h"
 #include "geometry/sweep_queue.h"
 
@@ -53,21 +54,27 @@ struct Sweep::NodeState {
   std::uint32_t walk = 0;              ///< the last walk up the tree that came by: path_changed
 };
 
+/// The leaves of a group whose surface is shown.
+struct Sweep::Shown {
+  const Member* placed;  ///< where the surface is
+  const Member* worn;    ///< and what it looks like
+  bool is_complement;    ///< of `placed`
+};
+
 /// What a sweep needs to remember. Grows to what the largest scene of its thread takes, and is
 /// never cleared: the states of nodes carry the number of the query that wrote them.
 struct Sweep::Scratch {
   /// A compound that the ray has come to. Made in place: copying what was just written in parts
   /// stalls the processor.
   struct Slot {
-    Slot(const Compound& c, std::uint32_t at, std::uint32_t node, const Line& in,
-         const Bvh::Slabs& prepared)
-        : compound(&c), place(at), first_node(node), line(in), slabs(prepared) {}
+    Slot(const Compound& c, std::uint32_t at, std::uint32_t node, const Line& in)
+        : compound(&c), place(at), first_node(node), line(in) {}
 
     const Compound* compound;
     std::uint32_t place;
     std::uint32_t first_node;  ///< of its nodes, in `nodes`
     Line line;
-    Bvh::Slabs slabs;
+    std::optional<Bvh::Slabs> slabs;  ///< of `line`; the world's are those of the ray
   };
   static constexpr std::uint32_t none = ~0u;
 
@@ -91,21 +98,37 @@ struct Sweep::Scratch {
   std::uint32_t walk_number = 0;
   std::uint32_t node_count = 0;
   SweepQueue queue;
-  std::vector<Member> events, group;
+  InlineBuffer<Member, 32> events;
+  InlineBuffer<std::uint32_t, 16> group;  ///< of `events`
   std::vector<Slot> slots;
   std::vector<NodeState> nodes;
-  std::vector<std::uint32_t> inside;  ///< regions that the sweep is inside of, in no order
-  std::vector<Toggle> toggles;        ///< regions that the group has touched
-  std::vector<Rise> rises;            ///< changes on their way up a tree
-  std::vector<Waiting> waiting;
-  std::vector<NodeOfSlot> released;  ///< nodes whose waiting leaves may matter now
+  InlineBuffer<std::uint32_t, 8> inside;  ///< regions that the sweep is inside of, in no order
+  InlineBuffer<Toggle, 8> toggles;        ///< regions that the group has touched
+  InlineBuffer<Rise, 16> rises;           ///< changes on their way up a tree
+  InlineBuffer<Waiting, 16> waiting;
+  InlineBuffer<NodeOfSlot, 16> released;  ///< nodes whose waiting leaves may matter now
   std::vector<BooleanTree::Link> path;
   EventBuffer buffer;
+  Scratch* next_free = nullptr;  ///< of the pool
 
-  void open_slot(const Compound& compound, std::uint32_t place, const Line& line,
-                 const Bvh::Slabs& slabs) {
+  void clear() {
+    ++query;
+    group_number = walk_number = node_count = 0;
+    queue.clear();
+    events.clear();
+    group.clear();
+    slots.clear();
+    inside.clear();
+    toggles.clear();
+    waiting.clear();
+    released.clear();
+  }
+
+  const Member& member(std::size_t i) { return events[group[i]]; }
+
+  void open_slot(const Compound& compound, std::uint32_t place, const Line& line) {
     const auto count = static_cast<std::uint32_t>(compound.tree().nodes().size());
-    slots.emplace_back(compound, place, node_count, line, slabs);
+    slots.emplace_back(compound, place, node_count, line);
     node_count += count;
     if (nodes.size() < node_count) nodes.resize(node_count);
   }

@@ -32,20 +32,20 @@ void Sweep::feed(std::uint32_t slot, Link link, bool value) {
       const bool is = count >= node.threshold;
       const bool has_waiting = when == When::now && state.waiting != Scratch::none;
       if (has_waiting && deciding_children(node, state) == 0) {
-        s_->released.push_back({slot, link.index()});
+        s_->released.push({slot, link.index()});
       }
       if (was != is && !node.only_user.is_none()) {
         link = node.only_user, value = is;
         continue;
       }
       if (was != is) {
-        for (const Link up : tree.node_links(link.index())) s_->rises.push_back({up, is});
+        for (const Link up : tree.node_links(link.index())) s_->rises.push({up, is});
       }
     }
     if (s_->rises.size() == bottom) return;
     link = s_->rises.back().link;
     value = s_->rises.back().value;
-    s_->rises.pop_back();
+    s_->rises.drop_last();
   }
 }
 
@@ -69,14 +69,14 @@ Sweep::Toggle* Sweep::toggle_of(std::uint32_t region) {
 void Sweep::set_region(std::uint32_t region, bool inside, When when) {
   Toggle* toggle = toggle_of(region);
   if (when == When::before) {
-    if (toggle == nullptr) return s_->toggles.push_back({region, inside});
+    if (toggle == nullptr) return s_->toggles.push({region, inside});
     toggle->was_inside = inside;
     return;
   }
-  if (toggle == nullptr) s_->toggles.push_back({region, !inside});
-  if (inside) return s_->inside.push_back(region);
+  if (toggle == nullptr) s_->toggles.push({region, !inside});
+  if (inside) return s_->inside.push(region);
   *std::find(s_->inside.begin(), s_->inside.end(), region) = s_->inside.back();
-  s_->inside.pop_back();
+  s_->inside.drop_last();
 }
 
 std::uint32_t Sweep::higher(std::uint32_t a, std::uint32_t b) const {
@@ -119,7 +119,7 @@ bool Sweep::wait_if_decided(std::uint32_t slot, Compound::Item item, float exit)
   // What it feeds at rest would decide the node, if it were known.
   const std::uint32_t itself = item.decides_at_rest ? 1 : 0;
   if (deciding_children(node, state) - itself == 0) return false;
-  s_->waiting.push_back({slot, item, exit, state.waiting});
+  s_->waiting.push({slot, item, exit, state.waiting});
   state.waiting = static_cast<std::uint32_t>(s_->waiting.size() - 1);
   state.waiting_deciders += itself;
   return true;
@@ -130,7 +130,7 @@ bool Sweep::wait_if_decided(std::uint32_t slot, Compound::Item item, float exit)
 void Sweep::release(double key) {
   while (!s_->released.empty()) {
     const Scratch::NodeOfSlot at = s_->released.back();
-    s_->released.pop_back();
+    s_->released.drop_last();
     const Scratch::Slot& slot = s_->slots[at.slot];
     std::uint32_t next = std::exchange(s_->state(slot, at.node).waiting, Scratch::none);
     while (next != Scratch::none) {

@@ -102,7 +102,7 @@ Hit World::nearest(const Ray& ray) const {
   Hit hit;
   hit.t = ray.t_max;
   const Bvh::Slabs slabs(ray.line());
-  nearest_sheet(ray, slabs, hit);
+  if (!sheets_.empty()) nearest_sheet(ray, slabs, hit);
   nearest_transition(ray, slabs, hit);
   if (!triangles_.empty()) nearest_triangle(ray, hit);
   return hit;
@@ -110,10 +110,10 @@ Hit World::nearest(const Ray& ray) const {
 
 bool World::occluded(const Ray& ray) const {
   const Bvh::Slabs slabs(ray.line());
-  const bool by_sheet = sheet_bvh_.walk(slabs, ray.t_max, [&](std::uint32_t sheet, double&) {
+  const auto meets = [&](std::uint32_t sheet, double&) {
     return meet_sheet(sheet, ray).has_value();
-  });
-  if (by_sheet) return true;
+  };
+  if (!sheets_.empty() && sheet_bvh_.walk(slabs, ray.t_max, meets)) return true;
   if (!solids_.passes_by(slabs, ray.t_max) && Sweep(solids_, ray, slabs, ray.t_max).any()) {
     return true;
   }
