@@ -58,8 +58,8 @@ local function set(make, x)
 end
 
 return scene {
-  camera = perspective { from = { 0, -10, 6 }, at = { 0, 0, 0.62 }, fov = 20, fov_axis = "y" },
+  camera = perspective { from = { 0, -10, 6 }, at = { 0, 0, 0.62 }, fov = 21, fov_axis = "y" },
   lights = studio.lights(),
   objects = { set(solid, -1.55), set(mushroom, 1.55), studio.floor "#c9c3b8" },
-  render = { size = studio.size, samples = 80 },
+  render = { size = studio.size, samples = 128 },
 }

@@ -1,6 +1,6 @@
 -- Lights that are there
 -- Balls of light, seen directly, mirrored in the silver and the dull floor, and upside down through
--- the glass. They are objects among others, and all the light there is.
+-- the glass. They are objects among others and, but for a dim sky, all the light.
 
 local function globe(x, y, radius, color, brightness)
   return sphere_light {
@@ -34,5 +34,5 @@ return scene {
     ball(1.15, -0.5, 0.9, glass(1.5)),
     ball(0.15, -1.9, 0.3, matte "#e8e2d6"),
   },
-  render = { size = { 640, 400 }, samples = 112 },
+  render = { size = { 640, 400 }, samples = 208 },
 }

@@ -45,8 +45,8 @@ local orange = matte(mix("#d9600f", "#f08a24", ramp { clouds, from = 0.35, to = 
 local pale = matte(mix("#d8c9a0", "#8d9a72", ramp { fbm {}:scale(0.5), from = 0.4, to = 0.75 }))
 
 local subject = {
-  fruit(orange, 11, 0.12, 6):rotate { z = -70 }:scale(1.25):translate { -0.35, 0, 0.97 },
-  fruit(pale, 15, 0.3, 14):rotate { z = 200 }:scale(0.62):translate { 1.35, -0.75, 0.4 },
+  fruit(orange, 11, 0.12, 6):rotate { z = -70 }:scale(1.25):translate { -0.35, 0, 0.81 },
+  fruit(pale, 15, 0.3, 14):rotate { z = 200 }:scale(0.62):translate { 1.35, -0.75, 0.375 },
 }
 if path ~= "" then subject = mesh(path):scale(size):rotate { z = turn } end
 

@@ -44,7 +44,7 @@ for i = -1, 1 do
 end
 
 return scene {
-  camera = perspective { from = { 0, -11, 3.4 }, at = { 0, 0, 0.98 }, fov = 21, fov_axis = "y" },
+  camera = perspective { from = { 0, -11, 3.4 }, at = { 0, 0, 0.98 }, fov = 23, fov_axis = "y" },
   lights = studio.lights(),
   objects = { row, studio.floor "#8a7a6c" },
   render = { size = studio.size, samples = 80 },

@@ -76,6 +76,6 @@ return scene {
   camera = perspective { from = { 0.7, -8.5, 1.5 }, at = { 0, 10, 2.4 }, fov = 42, fov_axis = "y" },
   lights = { lights, environment { color = { 0.012, 0.018, 0.045 } } },
   objects = { houses, plane { material = street } },
-  render = { size = { 640, 400 }, samples = 80, max_depth = 4 },
+  render = { size = { 640, 400 }, samples = 128, max_depth = 4 },
   film = { exposure = 2 },
 }
