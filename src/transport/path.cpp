@@ -25,10 +25,6 @@ double spread(double pdf) {
   return share * 2.0 * std::sqrt(1.0 / (pi * pdf));
 }
 
-/// Scattering events before the first roulette. Each that comes sooner saves a tenth of the time
-/// and costs as much in error.
-constexpr int first_roulette = 3;
-
 /// For what is the same everywhere.
 const SurfaceLookup nowhere;
 
@@ -165,7 +161,7 @@ bool Path::survives_roulette(double u) {
   // The hero alone carries the weight of four.
   const float brightest = carried_ == Carried::hero ? 0.25f * beta_.max() : beta_.max();
   const double throughput = static_cast<double>(brightest) * index_squared_;
-  if (depth_ < first_roulette || throughput >= 1.0) return throughput > 0.0;
+  if (depth_ < 1 || throughput >= 1.0) return throughput > 0.0;
   if (u >= throughput) return false;
   beta_ *= static_cast<float>(1.0 / throughput);
   return true;
