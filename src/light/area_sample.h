@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "light/departure.h"
 #include "light/illumination.h"
 #include "spectrum/spectrum.h"
 
@@ -34,6 +35,21 @@ inline std::optional<LightSample> illumination_from(const SurfacePoint& from, Ve
 inline double pdf_illumination_from(double pdf_area, Vec3d p, Vec3d wi, const LightHit& hit) {
   const double facing = -dot(hit.normal, wi);
   return facing > 0.0 ? solid_angle_pdf(pdf_area, length_squared(hit.point - p), facing) : 0.0;
+}
+
+/// What leaves the drawn point along `direction`; nothing backwards or edge-on.
+inline std::optional<Departure> departure_from(const SurfacePoint& from, Vec3d direction,
+                                               const Spectrum& radiance,
+                                               const Wavelengths& wavelengths) {
+  const double cosine = dot(from.normal, direction);
+  if (!(cosine > 0.0)) return {};
+  return Departure{from.point, radiance.at(wavelengths), from.pdf_area / cosine};
+}
+
+/// The density of the same for a point with this normal.
+inline double pdf_departure_from(double pdf_area, Vec3d normal, Vec3d direction) {
+  const double cosine = dot(normal, direction);
+  return cosine > 0.0 ? pdf_area / cosine : 0.0;
 }
 
 }  // namespace lapidary::light

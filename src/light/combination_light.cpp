@@ -8,19 +8,51 @@ namespace lapidary::light {
 
 CombinationLight::CombinationLight(std::shared_ptr<const geometry::CompoundSurface> surface,
                                    const Place& place, double area, Spectrum radiance)
-    : surface_(std::move(surface)), place_(place), area_(area), radiance_(std::move(radiance)) {}
+    : surface_(std::move(surface)), place_(place), area_(area), radiance_(std::move(radiance)) {
+  const Box3d box = bounds();
+  ball_ = {box.center(), 0.5 * length(box.extent())};
+}
+
+Box3d CombinationLight::bounds() const {
+  const Box3d box = surface_->bounds();
+  if (place_.motion) return place_.motion->swept(box);
+  return place_.own ? place_.own->world_from_own().box(box) : box;
+}
 
 std::optional<LightSample> CombinationLight::sample_illumination(
     Vec3d p, const LightNumbers& numbers, const Wavelengths& wavelengths) const {
-  return place_.at(numbers.time, [&](const std::optional<geometry::OwnSpace>& own) {
-    return sample_in(own, p, numbers, wavelengths);
-  });
+  const auto drawn =
+      place_.at(numbers.time, [&](const auto& own) { return draw(own, p, numbers); });
+  if (!drawn) return {};
+  auto sample = illumination_from(drawn->from, p, radiance_, wavelengths);
+  if (!sample) return {};
+  sample->L *= drawn->multiplicity;
+  sample->on_leaf = drawn->on_leaf;
+  return sample;
 }
 
-std::optional<LightSample> CombinationLight::sample_in(const std::optional<geometry::OwnSpace>& own,
-                                                       Vec3d p, const LightNumbers& numbers,
-                                                       const Wavelengths& wavelengths) const {
-  const auto drawn = surface_->draw(numbers.u, numbers.part, own ? own->point(p) : p);
+// What is seen from so far away is what shines along the direction, but for what is seen edge-on.
+std::optional<Departure> CombinationLight::sample_departure(Vec3d direction,
+                                                            const LightNumbers& numbers,
+                                                            const Wavelengths& wavelengths) const {
+  const Vec3d eye = ball_.center + direction * (1e8 * ball_.radius);
+  const auto drawn =
+      place_.at(numbers.time, [&](const auto& own) { return draw(own, eye, numbers); });
+  if (!drawn) return {};
+  auto departure = departure_from(drawn->from, direction, radiance_, wavelengths);
+  if (!departure) return {};
+  departure->L *= drawn->multiplicity;
+  departure->on_leaf = drawn->on_leaf;
+  return departure;
+}
+
+double CombinationLight::pdf_departure(Vec3d direction, const LightHit& hit) const {
+  return pdf_departure_from(density_at(hit), hit.normal, direction);
+}
+
+std::optional<CombinationLight::Drawn> CombinationLight::draw(
+    const std::optional<geometry::OwnSpace>& own, Vec3d eye, const LightNumbers& numbers) const {
+  const auto drawn = surface_->draw(numbers.u, numbers.part, own ? own->point(eye) : eye);
   if (!drawn) return {};
   const geometry::LeafPoint& on_leaf = drawn->on_leaf;
   SurfacePoint from{on_leaf.p, on_leaf.normal, on_leaf.density};
@@ -31,19 +63,18 @@ std::optional<LightSample> CombinationLight::sample_in(const std::optional<geome
     from.pdf_area /= length(geometry::cofactors(map.linear()) * on_leaf.normal);
   }
   // On which sides it shines the surface has seen to.
-  if (dot(from.normal, p - from.point) < 0.0) from.normal = -from.normal;
-  auto sample = illumination_from(from, p, radiance_, wavelengths);
-  if (!sample) return {};
-  sample->L = sample->L * static_cast<float>(on_leaf.multiplicity);
-  sample->on_leaf = geometry::LeafPatch{place_.number, drawn->leaf, on_leaf.patch};
-  return sample;
+  if (dot(from.normal, eye - from.point) < 0.0) from.normal = -from.normal;
+  return Drawn{
+      from, static_cast<float>(on_leaf.multiplicity), {place_.number, drawn->leaf, on_leaf.patch}};
+}
+
+double CombinationLight::density_at(const LightHit& hit) const {
+  if (hit.on_leaf.place != place_.number) return 0.0;
+  return place_.at(hit.time, [&](const auto& own) { return density_in(own, hit); });
 }
 
 double CombinationLight::pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const {
-  if (hit.on_leaf.place != place_.number) return 0.0;
-  const double density = place_.at(
-      hit.time, [&](const std::optional<geometry::OwnSpace>& own) { return density_in(own, hit); });
-  return pdf_illumination_from(density, p, wi, hit);
+  return pdf_illumination_from(density_at(hit), p, wi, hit);
 }
 
 double CombinationLight::density_in(const std::optional<geometry::OwnSpace>& own,
@@ -66,12 +97,7 @@ double CombinationLight::power(double) const {
 }
 
 Influence CombinationLight::influence() const {
-  Box3d box = surface_->bounds();
-  if (place_.motion) {
-    box = place_.motion->swept(box);
-  } else if (place_.own) {
-    box = place_.own->world_from_own().box(box);
-  }
+  const Box3d box = bounds();
   return {.reach = Influence::Reach::around,
           .strength = power(0) / (4.0 * pi),
           .center = box.center(),

@@ -43,19 +43,30 @@ class CombinationLight {
   /// 0 where the light was met on what it does not draw from.
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
   SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
+  std::optional<Departure> sample_departure(Vec3d direction, const LightNumbers& numbers,
+                                            const Wavelengths& wavelengths) const;
+  double pdf_departure(Vec3d direction, const LightHit& hit) const;
   double power(double scene_radius) const;
   Influence influence() const;
 
  private:
-  std::optional<LightSample> sample_in(const std::optional<geometry::OwnSpace>& own, Vec3d p,
-                                       const LightNumbers& numbers,
-                                       const Wavelengths& wavelengths) const;
+  /// A point that shines towards an eye.
+  struct Drawn {
+    SurfacePoint from;
+    float multiplicity = 1;
+    geometry::LeafPatch on_leaf;
+  };
+  std::optional<Drawn> draw(const std::optional<geometry::OwnSpace>& own, Vec3d eye,
+                            const LightNumbers& numbers) const;
+  Box3d bounds() const;  ///< over the whole frame
+  double density_at(const LightHit& hit) const;
   /// Per area, of the point that was met.
   double density_in(const std::optional<geometry::OwnSpace>& own, const LightHit& hit) const;
 
   std::shared_ptr<const geometry::CompoundSurface> surface_;
   Place place_;
   double area_ = 0;
+  Ball ball_;
   Spectrum radiance_;
 };
 

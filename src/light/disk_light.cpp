@@ -30,6 +30,17 @@ double DiskLight::pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const
   return pdf_illumination_from(pdf_area_, p, wi, {hit.point, normal_});
 }
 
+std::optional<Departure> DiskLight::sample_departure(Vec3d direction, const LightNumbers& numbers,
+                                                     const Wavelengths& wavelengths) const {
+  const Vec2d place = sample_uniform_disk(numbers.u);
+  const Vec3d point = center_ + place.x * radius_x_ + place.y * radius_y_;
+  return departure_from({point, normal_, pdf_area_}, direction, radiance_, wavelengths);
+}
+
+double DiskLight::pdf_departure(Vec3d direction, const LightHit&) const {
+  return pdf_departure_from(pdf_area_, normal_, direction);
+}
+
 SampledSpectrum DiskLight::emitted(Vec3d wi, const LightHit&,
                                    const Wavelengths& wavelengths) const {
   return dot(normal_, wi) < 0.0 ? radiance_.at(wavelengths) : SampledSpectrum();

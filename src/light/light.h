@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "light/combination_light.h"
+#include "light/departure.h"
 #include "light/disk_light.h"
 #include "light/distant_light.h"
 #include "light/environment.h"
@@ -42,6 +43,21 @@ double pdf_illumination(const Light& light, Vec3d p, Vec3d wi, const LightHit& h
 /// the scene. 0 from behind, and for delta lights.
 SampledSpectrum emitted(const Light& light, Vec3d wi, const LightHit& hit,
                         const Wavelengths& wavelengths);
+
+/// A point of a finite light that shines along `direction` (unit length, away from the light),
+/// drawn with density `pdf_departure`, and what leaves it. Nothing where the drawn point shines
+/// elsewhere: a sample of value zero; nor from infinite lights, whose rays `sample_illumination`
+/// directs.
+std::optional<Departure> sample_departure(const Light& light, Vec3d direction,
+                                          const LightNumbers& numbers,
+                                          const Wavelengths& wavelengths);
+
+/// Density per area projected along `direction` [1/m2] with which `sample_departure` draws the
+/// point of `hit`. 0 for lights without size and infinite ones.
+double pdf_departure(const Light& light, Vec3d direction, const LightHit& hit);
+
+/// What holds a light at any time of the frame; nothing holds infinite ones.
+std::optional<Ball> bounding_ball(const Light& light);
 
 /// Radiant power over 360-830 nm [W] that the light sends out, or, if it is infinite, into a sphere
 /// of `scene_radius` around the scene. For choosing lights; a picture's is that of its pixels

@@ -27,6 +27,9 @@ class MeshLight {
                                                  const Wavelengths& wavelengths) const;
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
   SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
+  std::optional<Departure> sample_departure(Vec3d direction, const LightNumbers& numbers,
+                                            const Wavelengths& wavelengths) const;
+  double pdf_departure(Vec3d direction, const LightHit& hit) const;
   double power(double scene_radius) const;
   Influence influence() const;
 
@@ -35,6 +38,8 @@ class MeshLight {
     Vec3d corner;
     Vec3d edge1, edge2;  // cross(edge1, edge2) points to the front
   };
+
+  SurfacePoint draw(const LightNumbers& numbers) const;
 
   /// What holds all normals, for `influence`.
   struct Normals {

@@ -68,6 +68,17 @@ double RectangleLight::pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) 
   return seen.height() > 0.0 && solid_angle > 0.0 ? 1.0 / solid_angle : 0.0;
 }
 
+std::optional<Departure> RectangleLight::sample_departure(Vec3d direction,
+                                                          const LightNumbers& numbers,
+                                                          const Wavelengths& wavelengths) const {
+  const Vec3d point = corner_ + numbers.u.x * edge_u_ + numbers.u.y * edge_v_;
+  return departure_from({point, normal_, 1.0 / area_}, direction, radiance_, wavelengths);
+}
+
+double RectangleLight::pdf_departure(Vec3d direction, const LightHit&) const {
+  return pdf_departure_from(1.0 / area_, normal_, direction);
+}
+
 SampledSpectrum RectangleLight::emitted(Vec3d wi, const LightHit&,
                                         const Wavelengths& wavelengths) const {
   return dot(normal_, wi) < 0.0 ? radiance_.at(wavelengths) : SampledSpectrum();

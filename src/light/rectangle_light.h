@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "geometry/sheet.h"
+#include "light/departure.h"
 #include "light/illumination.h"
 #include "light/influence.h"
 #include "light/spherical_rectangle.h"
@@ -21,6 +22,9 @@ class RectangleLight {
                                                  const Wavelengths& wavelengths) const;
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
   SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
+  std::optional<Departure> sample_departure(Vec3d direction, const LightNumbers& numbers,
+                                            const Wavelengths& wavelengths) const;
+  double pdf_departure(Vec3d direction, const LightHit& hit) const;
   double power(double scene_radius) const;
   Influence influence() const;
 

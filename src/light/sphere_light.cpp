@@ -42,6 +42,21 @@ double SphereLight::pdf_illumination(Vec3d p, Vec3d, const LightHit&) const {
   return width > 0.0 ? pdf_uniform_cone(width) : 0.0;
 }
 
+// Even on the disk that the sphere covers across the direction.
+std::optional<Departure> SphereLight::sample_departure(Vec3d direction, const LightNumbers& numbers,
+                                                       const Wavelengths& wavelengths) const {
+  const DiskPoint disk = concentric_disk(numbers.u);
+  const double height = std::sqrt(std::max(0.0, 1.0 - disk.radius_squared));
+  const Vec3d on_unit_sphere =
+      Frame::from_normal(direction).to_world({disk.position.x, disk.position.y, height});
+  return Departure{center_ + on_unit_sphere * radius_, radiance_.at(wavelengths),
+                   inv_pi / (radius_ * radius_)};
+}
+
+double SphereLight::pdf_departure(Vec3d direction, const LightHit& hit) const {
+  return dot(hit.normal, direction) > 0.0 ? inv_pi / (radius_ * radius_) : 0.0;
+}
+
 SampledSpectrum SphereLight::emitted(Vec3d wi, const LightHit& hit,
                                      const Wavelengths& wavelengths) const {
   return dot(hit.normal, wi) < 0.0 ? radiance_.at(wavelengths) : SampledSpectrum();
