@@ -20,6 +20,7 @@ class RoughDielectric {
   RoughDielectric(const RelativeIndex& index, double alpha);
 
   const RelativeIndex& index() const { return index_; }
+  double alpha() const { return facets_.alpha; }
 
   BsdfValue evaluate_with_pdf(Vec3d wo, Vec3d wi, Mode mode) const;
   std::optional<BsdfSample> sample(Vec3d wo, double u_lobe, Vec2d u, Mode mode) const;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/find_casters.h"
+
 namespace lapidary::scene {
 namespace {
 
@@ -32,6 +34,7 @@ Scene::Scene(Parts parts) : parts_(std::move(parts)) {
   }
   has_gaps_ = std::any_of(parts_.materials.begin(), parts_.materials.end(),
                           [](const PreparedMaterial& m) { return m.detail.has_gaps(); });
+  casters_ = find_casters(parts_);
 }
 
 const Slot& Scene::slot(const geometry::Hit& hit) const {

@@ -13,6 +13,7 @@
 #include "light/light.h"
 #include "light/light_selector.h"
 #include "medium/medium.h"
+#include "scene/casters.h"
 #include "scene/texture_frame.h"
 
 namespace lapidary::scene {
@@ -119,6 +120,9 @@ class Scene {
   /// The lights that rays which hit nothing meet.
   const std::vector<std::uint32_t>& infinite_lights() const { return infinite_lights_; }
 
+  /// What may gather light into caustics.
+  const std::vector<Caster>& casters() const { return casters_; }
+
   SceneCounts counts() const;
   /// Diagonal of everything bounded, scene units; 1 when nothing is.
   double size() const;
@@ -128,6 +132,7 @@ class Scene {
   std::optional<light::LightSelector> selector_;
   std::vector<std::uint32_t> infinite_lights_;
   std::vector<bool> has_pattern_;  ///< of lights
+  std::vector<Caster> casters_;
   bool has_gaps_ = false;
 };
 

@@ -1,0 +1,78 @@
+#include "bsdf/focus.h"
+
+#include <algorithm>
+
+namespace lapidary::bsdf {
+namespace {
+
+/// What a polished coat of usual index reflects, averaged over directions.
+constexpr double share_of_coat = 0.1;
+
+struct Narrow {
+  bool operator()(const Conductor& bsdf) const { return bsdf.alpha() <= widest_narrow_alpha; }
+  bool operator()(const RoughDielectric& bsdf) const { return bsdf.alpha() <= widest_narrow_alpha; }
+  bool operator()(const Mixture& bsdf) const {
+    return is_narrow(bsdf.first()->bsdf) && is_narrow(bsdf.second()->bsdf);
+  }
+  template <typename Kind>
+  bool operator()(const Kind& bsdf) const {
+    return is_specular(Bsdf(bsdf));
+  }
+};
+
+/// Whether facets of this roughness are narrow at any place.
+bool may_be_narrow(const texture::Number& roughness) {
+  const double* same = roughness.constant();
+  return same == nullptr || alpha_from_roughness(*same) <= widest_narrow_alpha;
+}
+/// Whether they are a mirror at any place.
+bool may_be_specular(const texture::Number& roughness) {
+  const double* same = roughness.constant();
+  return same == nullptr || facet_alpha(*same) == 0.0;
+}
+/// Of a weight: what it is everywhere, or 1.
+double greatest(const texture::Number& weight) {
+  const double* same = weight.constant();
+  return same == nullptr ? 1.0 : *same;
+}
+
+struct Share {
+  double operator()(const Glass& glass) const { return may_be_narrow(glass.roughness) ? 1.0 : 0.0; }
+  double operator()(const Metal& metal) const { return may_be_narrow(metal.roughness) ? 1.0 : 0.0; }
+  double operator()(const ThinGlass&) const { return 1.0; }
+  double operator()(const Matte&) const { return 0.0; }
+  double operator()(const Phong&) const { return 0.0; }
+  double operator()(const Black&) const { return 0.0; }
+  double operator()(const Velvet& velvet) const {
+    return velvet.base ? focused_share(*velvet.base) : 0.0;
+  }
+  double operator()(const Coated& coated) const {
+    const double coat = may_be_specular(coated.roughness) ? share_of_coat : 0.0;
+    return std::max(coat, focused_share(*coated.base));
+  }
+  double operator()(const Blend& blend) const {
+    return std::max(focused_share(*blend.first), focused_share(*blend.second));
+  }
+  double operator()(const Principled& p) const {
+    double share = 0.0;
+    if (greatest(p.coat) > 0.0 && may_be_specular(p.coat_roughness)) share = share_of_coat;
+    if (may_be_narrow(p.roughness)) {
+      share = std::max({share, greatest(p.transmission), greatest(p.metalness)});
+    }
+    if (may_be_specular(p.roughness)) share = std::max(share, share_of_coat);
+    return share;
+  }
+};
+
+}  // namespace
+
+bool is_narrow(const Bsdf& bsdf) {
+  if (std::holds_alternative<Diffuse>(bsdf)) return false;
+  return std::visit(Narrow(), bsdf);
+}
+
+double focused_share(const Finish& finish) {
+  return std::visit(Share(), finish.kind);
+}
+
+}  // namespace lapidary::bsdf
