@@ -173,6 +173,7 @@ void declare(CLI::App& verb, CompareCommand& command) {
   const std::vector<std::pair<std::string, Metric>> metrics = {{"relmse", Metric::relmse},
                                                                {"mse", Metric::mse},
                                                                {"mae", Metric::mae},
+                                                               {"energy", Metric::energy},
                                                                {"flip", Metric::flip}};
   image::CompareOptions& options = command.options;
   add_choice(verb, "--metric", options.metric, metrics, "which difference (relmse)");

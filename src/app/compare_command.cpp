@@ -17,6 +17,8 @@ std::string_view name_of(image::Metric metric) {
       return "mse";
     case image::Metric::mae:
       return "mae";
+    case image::Metric::energy:
+      return "energy";
     case image::Metric::flip:
       return "flip";
   }

@@ -28,24 +28,41 @@ RelativeIndex::Split RelativeIndex::split(double cos_incident, double z) const {
   return {reflectance, transmittance, hero.cos_refracted, mean / (mean + transmittance)};
 }
 
+namespace {
+
+BsdfSample reflected(Vec3d wo, SampledSpectrum weight) {
+  return {{-wo.x, -wo.y, wo.z}, weight, 0.0, Lobe::specular};
+}
+
+/// `weight` of refraction, for the wavelengths that go on.
+BsdfSample refracted(const RelativeIndex& index, Vec3d wo, double cos_refracted, double weight,
+                     Mode mode) {
+  const double eta = index.hero(wo.z);
+  const Vec3d wi(-wo.x / eta, -wo.y / eta, std::copysign(cos_refracted, -wo.z));
+  return {wi,  index.refracted(weight, eta, mode), 0.0, Lobe::specular, Side::transmitted,
+          eta, index.carried_by_refraction()};
+}
+
+}  // namespace
+
 std::optional<BsdfSample> sample(const SmoothDielectric& bsdf, Vec3d wo, double u_lobe, Vec2d,
                                  Mode mode) {
   if (wo.z == 0.0) return {};
   const RelativeIndex::Split split = bsdf.index.split(std::abs(wo.z), wo.z);
   const double q = split.chance_to_reflect;
-  if (u_lobe < q) {
-    return BsdfSample{
-        {-wo.x, -wo.y, wo.z}, split.reflectance * static_cast<float>(1.0 / q), 0.0, Lobe::specular};
+  if (u_lobe < q) return reflected(wo, split.reflectance * static_cast<float>(1.0 / q));
+  return refracted(bsdf.index, wo, split.cos_refracted, split.transmittance / (1.0 - q), mode);
+}
+
+BothWays both_ways(const SmoothDielectric& bsdf, Vec3d wo, Mode mode) {
+  BothWays ways;
+  if (wo.z == 0.0) return ways;
+  const RelativeIndex::Split split = bsdf.index.split(std::abs(wo.z), wo.z);
+  if (!split.reflectance.is_zero()) ways.reflected = reflected(wo, split.reflectance);
+  if (split.transmittance > 0.0) {
+    ways.refracted = refracted(bsdf.index, wo, split.cos_refracted, split.transmittance, mode);
   }
-  const double eta = bsdf.index.hero(wo.z);
-  const Vec3d wi(-wo.x / eta, -wo.y / eta, std::copysign(split.cos_refracted, -wo.z));
-  return BsdfSample{wi,
-                    bsdf.index.refracted(split.transmittance / (1.0 - q), eta, mode),
-                    0.0,
-                    Lobe::specular,
-                    Side::transmitted,
-                    eta,
-                    bsdf.index.carried_by_refraction()};
+  return ways;
 }
 
 }  // namespace lapidary::bsdf

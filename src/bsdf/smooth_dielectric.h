@@ -59,4 +59,11 @@ inline BsdfValue evaluate_with_pdf(const SmoothDielectric&, Vec3d, Vec3d, Mode) 
 std::optional<BsdfSample> sample(const SmoothDielectric& bsdf, Vec3d wo, double u_lobe, Vec2d u,
                                  Mode mode);
 
+/// Both of what `sample` chooses between, each with its share of the light as its weight, for who
+/// follows both. Nothing for a way that no light takes.
+struct BothWays {
+  std::optional<BsdfSample> reflected, refracted;
+};
+BothWays both_ways(const SmoothDielectric& bsdf, Vec3d wo, Mode mode);
+
 }  // namespace lapidary::bsdf

@@ -46,6 +46,18 @@ double channel_error(Metric metric, double value, double reference) {
   return relative * relative;
 }
 
+double energy(const Image& image, const Crop& crop) {
+  double sum = 0.0;
+  for (int y = crop.y; y < crop.y + crop.height; ++y) {
+    for (int x = crop.x; x < crop.x + crop.width; ++x) {
+      const Rgb pixel = image.rgb(x, y);
+      sum += static_cast<double>(pixel.r) + static_cast<double>(pixel.g) +
+             static_cast<double>(pixel.b);
+    }
+  }
+  return sum;
+}
+
 float pixel_error(Metric metric, Rgb value, Rgb reference) {
   const double error =
       (channel_error(metric, value.r, reference.r) + channel_error(metric, value.g, reference.g) +
@@ -60,6 +72,7 @@ std::optional<Metric> metric_of_name(std::string_view name) {
   if (name == "relmse") return Metric::relmse;
   if (name == "mse") return Metric::mse;
   if (name == "mae") return Metric::mae;
+  if (name == "energy") return Metric::energy;
   if (name == "flip") return Metric::flip;
   return std::nullopt;
 }
@@ -84,6 +97,12 @@ double compare(const Image& image, const Image& reference, const CompareOptions&
   if (!(options.trim >= 0 && options.trim < 1)) {
     throw Error({.parameter = "trim"}, fmt::format("{} is not a share to trim", options.trim),
                 "0.001 leaves out one pixel in a thousand; it must be at least 0 and less than 1");
+  }
+  if (options.metric == Metric::energy) {
+    check_comparable(image, reference);
+    const Crop crop = options.crop.value_or(Crop{0, 0, image.width, image.height});
+    check_crop(crop, image);
+    return energy(image, crop) / energy(reference, crop);
   }
   std::vector<float> errors = error_map(image, reference, options);
   const auto left_out = static_cast<std::size_t>(options.trim * static_cast<double>(errors.size()));

@@ -12,10 +12,11 @@ enum class Metric {
   relmse,  ///< (I - R)^2 / (R + 0.01)^2, mean of the channels
   mse,     ///< (I - R)^2, mean of the channels
   mae,     ///< |I - R|, mean of the channels
+  energy,  ///< sum of I over that of R, of the first three channels together; 1 is right
   flip,    ///< what an eye sees when the two alternate, in [0, 1] (flip.h)
 };
 
-/// The metric called "relmse", "mse", "mae" or "flip"; empty for any other name.
+/// The metric called "relmse", "mse", "mae", "energy" or "flip"; empty for any other name.
 std::optional<Metric> metric_of_name(std::string_view name);
 
 struct Crop {
@@ -34,7 +35,8 @@ struct CompareOptions {
   std::optional<Crop> crop;
 };
 
-/// The error of each pixel, row by row, of the crop if there is one.
+/// The error of each pixel, row by row, of the crop if there is one; not of `energy`, which pixels
+/// do not have.
 ///
 /// Only the first three channels count. A pixel that is NaN has infinite error; FLIP, which sees
 /// only what a display can show, takes NaN as black and infinity as white. Throws Error if the
@@ -42,8 +44,8 @@ struct CompareOptions {
 std::vector<float> error_map(const Image& image, const Image& reference,
                              const CompareOptions& options);
 
-/// The mean over the pixels of `error_map`, with the worst ones trimmed. Throws Error as that does,
-/// and if trim is not in [0, 1).
+/// The mean over the pixels of `error_map`, with the worst ones trimmed; of `energy` the ratio of
+/// the sums, untrimmed. Throws Error as that does, and if trim is not in [0, 1).
 double compare(const Image& image, const Image& reference, const CompareOptions& options);
 
 }  // namespace lapidary::image
