@@ -95,7 +95,8 @@ render::Statistics render_watched(const RenderCommand& command, const scene::Sce
                                   ThreadPool& pool) {
   const InterruptGuard interrupt;
   const auto display = make_progress_display(command.progress);
-  const render::BlockRenderer renderer(scene, render::sample_settings(settings));
+  const render::BlockRenderer renderer(scene, render::sample_settings(settings),
+                                       {film.width(), film.height()}, pool);
   const render::Control control{
       .on_progress = [&](const render::Progress& p) { display->update(state_of(p)); },
       .stop = &interrupt.requested()};

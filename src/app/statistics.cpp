@@ -47,7 +47,7 @@ std::string to_json(const RunStatistics& s) {
       {"render_cpu_seconds", s.render_cpu_seconds},
       {"samples_per_pixel", s.samples_per_pixel},
       {"rays", tally.counters.nearest_queries + tally.counters.occlusion_queries},
-      {"photons", 0},
+      {"photons", tally.counters.photons_left},
       {"peak_rss_bytes", static_cast<std::uint64_t>(peak_kibibytes) * 1024},
       {"threads", s.threads},
       {"nan_samples", tally.faults.not_finite},

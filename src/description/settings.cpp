@@ -11,6 +11,7 @@
 
 namespace lapidary::schema {
 
+using description::Caustics;
 using description::FilterKind;
 using description::Integrator;
 using description::LightChoice;
@@ -33,6 +34,15 @@ template <>
 struct EnumNames<LightChoice> {
   static constexpr std::array<std::pair<std::string_view, LightChoice>, 2> names{
       {{"tree", LightChoice::tree}, {"power", LightChoice::power}}};
+};
+
+template <>
+struct EnumNames<Caustics> {
+  static constexpr std::array<std::pair<std::string_view, Caustics>, 4> names{
+      {{"auto", Caustics::automatic},
+       {"photons", Caustics::photons},
+       {"paths", Caustics::paths},
+       {"off", Caustics::off}}};
 };
 
 template <>
@@ -91,18 +101,6 @@ using schema::Declaration;
 using schema::Unit;
 using schema::Value;
 
-struct CausticsReader {
-  static std::string type() { return "\"paths\""; }
-  static Caustics read(const Value& value, const Context& context) {
-    if (value.kind() == schema::ValueKind::string && value.string() == "paths") {
-      return Caustics::paths;
-    }
-    context.fail(fmt::format("must be \"paths\", not {}", value.describe()),
-                 "caustics by photons are not in this version");
-  }
-  static std::string text(Caustics) { return "\"paths\""; }
-};
-
 Declaration<RenderSettings> declare_render() {
   using R = RenderSettings;
   constexpr auto open = schema::Range::End::open;
@@ -128,8 +126,10 @@ Declaration<RenderSettings> declare_render() {
                          "interreflection."})
       .parameter("max_depth", &R::max_depth,
                  {.doc = "Most scattering events of a path.", .range = {.min = 1, .max = 65535}})
-      .parameter<CausticsReader>("caustics", &R::caustics,
-                                 {.doc = "Who renders light focused by glass and mirrors."})
+      .parameter("caustics", &R::caustics,
+                 {.doc = "Who renders light focused by glass and mirrors: \"photons\", \"paths\" "
+                         "from the camera by chance, \"auto\" each where it is better; "
+                         "\"off\" leaves it out."})
       .parameter("light_choice", &R::light_choice,
                  {.doc = "What the light for a point is chosen by: \"tree\" looks at where the "
                          "lights are and which way they shine, \"power\" does not."})

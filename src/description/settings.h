@@ -29,7 +29,7 @@ enum class LightChoice {
 };
 
 /// Who renders light focused by glass and mirrors.
-enum class Caustics { paths };
+enum class Caustics { automatic, photons, paths, off };
 
 enum class FilterKind { box, tent, gaussian, blackman_harris };
 
@@ -48,7 +48,7 @@ struct RenderSettings {
   std::optional<double> noise;  ///< relative error to reach
   Integrator integrator = Integrator::path;
   int max_depth = 16;  ///< scattering events of a path
-  Caustics caustics = Caustics::paths;
+  Caustics caustics = Caustics::automatic;
   LightChoice light_choice = LightChoice::tree;
   FilterSettings filter;
   std::uint64_t seed = 0;

@@ -25,7 +25,21 @@ struct BlockRenderer::Pass {
   std::uint32_t index;
   Wavelengths wavelengths;
   camera::Cone cone;  ///< of a pixel
+  std::optional<transport::CausticPass> caustics;
 };
+
+BlockRenderer::BlockRenderer(const scene::Scene& scene, const SampleSettings& settings,
+                             const Picture& picture, ThreadPool& pool)
+    : scene_(scene),
+      settings_(settings),
+      tracer_(scene, settings.path),
+      caustics_(scene,
+                {settings.path.interreflection == transport::Interreflection::full
+                     ? settings.path.caustics
+                     : transport::CausticMethod::paths,
+                 settings.path.max_depth, settings.seed, picture.width, picture.height},
+                pool),
+      tile_(picture.tile) {}
 
 film::PixelSample BlockRenderer::sample_pixel(Vec2d size, int x, int y, const Pass& pass,
                                               transport::Counters& counters) const {
@@ -38,8 +52,10 @@ film::PixelSample BlockRenderer::sample_pixel(Vec2d size, int x, int y, const Pa
   if (!ray) return {};
 
   transport::FirstSurface first;
-  const SampledSpectrum L =
-      tracer_.radiance(*ray, {pass.wavelengths, points, counters, pass.cone}, first);
+  const SampledSpectrum L = tracer_.radiance(
+      *ray,
+      {pass.wavelengths, points, counters, pass.cone, pass.caustics ? &*pass.caustics : nullptr},
+      first);
   return {pass.wavelengths.to_rgb(L), first.albedo, Vec3f(first.normal),
           static_cast<float>(first.depth), first.object};
 }
@@ -54,18 +70,29 @@ void BlockRenderer::render_pixel(int x, int y, std::span<const Pass> passes, fil
   film.add_block(x, y, sums);
 }
 
-BlockTally BlockRenderer::render(PassRange range, film::Film& film, ThreadPool& pool) const {
+std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, ThreadPool& pool,
+                                                        BlockTally& tally) const {
   const double rotation = pass_sample(settings_.seed, 0, wavelength_dimension);
-  const camera::Cone cone = camera::pixel_cone(
-      scene_.camera(), {static_cast<double>(film.width()), static_cast<double>(film.height())});
   std::vector<Pass> passes;
   for (std::uint32_t p = range.begin; p < range.end; ++p) {
-    passes.push_back({p, Wavelengths::sample(Wavelengths::pass_stratum(p, rotation)), cone});
+    const auto wavelengths = Wavelengths::sample(Wavelengths::pass_stratum(p, rotation));
+    passes.push_back({p, wavelengths, {}, std::nullopt});
+    if (caustics_.state() == transport::Caustics::State::active) {
+      passes.back().caustics = caustics_.trace(p, wavelengths, pool, tally.counters);
+    }
   }
+  return passes;
+}
+
+BlockTally BlockRenderer::render(PassRange range, film::Film& film, ThreadPool& pool) const {
+  BlockTally total;
+  std::vector<Pass> passes = prepare(range, pool, total);
+  const camera::Cone cone = camera::pixel_cone(
+      scene_.camera(), {static_cast<double>(film.width()), static_cast<double>(film.height())});
+  for (Pass& pass : passes) pass.cone = cone;
   const int columns = (film.width() + tile_ - 1) / tile_;
   const int rows = (film.height() + tile_ - 1) / tile_;
   std::mutex mutex;
-  BlockTally total;
   const auto tiles = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   pool.parallel_for(tiles, 1, [&](IndexRange some) {
     BlockTally tally;

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "base/parallel.h"
 #include "film/film.h"
 #include "sampling/filter.h"
 #include "scene/scene.h"
-#include "transport/path.h"
+#include "transport/caustics.h"
 
 namespace lapidary::render {
 
@@ -40,14 +41,24 @@ struct BlockTally {
 /// film's sums are the same.
 class BlockRenderer {
  public:
-  /// `tile` is the side, in pixels, of the squares that threads take; it changes no result.
-  BlockRenderer(const scene::Scene& scene, const SampleSettings& settings, int tile = 16)
-      : scene_(scene), settings_(settings), tracer_(scene, settings.path), tile_(tile) {}
+  /// What the pictures are like, and how they are cut up.
+  struct Picture {
+    int width = 0, height = 0;
+    int tile = 16;  ///< side, in pixels, of the squares that threads take; changes no result
+  };
 
+  /// Probes the scene for caustics, on the threads of `pool`.
+  BlockRenderer(const scene::Scene& scene, const SampleSettings& settings, const Picture& picture,
+                ThreadPool& pool);
+
+  const transport::Caustics& caustics() const { return caustics_; }
+
+  /// Adds passes to a film of the picture's size.
   BlockTally render(PassRange passes, film::Film& film, ThreadPool& pool) const;
 
  private:
   struct Pass;
+  std::vector<Pass> prepare(PassRange range, ThreadPool& pool, BlockTally& tally) const;
   void render_pixel(int x, int y, std::span<const Pass> passes, film::Film& film,
                     BlockTally& tally) const;
   film::PixelSample sample_pixel(Vec2d size, int x, int y, const Pass& pass,
@@ -56,6 +67,7 @@ class BlockRenderer {
   const scene::Scene& scene_;
   SampleSettings settings_;
   transport::PathTracer tracer_;
+  transport::Caustics caustics_;
   int tile_;
 };
 

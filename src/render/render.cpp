@@ -29,6 +29,20 @@ transport::Interreflection interreflection(description::Integrator integrator) {
                                                      : transport::Interreflection::none;
 }
 
+transport::CausticMethod caustic_method(description::Caustics caustics) {
+  switch (caustics) {
+    case description::Caustics::photons:
+      return transport::CausticMethod::photons;
+    case description::Caustics::paths:
+      return transport::CausticMethod::paths;
+    case description::Caustics::off:
+      return transport::CausticMethod::off;
+    case description::Caustics::automatic:
+      break;
+  }
+  return transport::CausticMethod::automatic;
+}
+
 FilterSampler filter_sampler(const description::FilterSettings& filter) {
   using Kind = description::FilterKind;
   switch (filter.kind) {
@@ -118,9 +132,10 @@ StopRules stop_rules(const description::RenderSettings& settings) {
 }
 
 SampleSettings sample_settings(const description::RenderSettings& settings) {
-  return {{settings.max_depth, interreflection(settings.integrator)},
-          filter_sampler(settings.filter),
-          settings.seed};
+  return {
+      {settings.max_depth, interreflection(settings.integrator), caustic_method(settings.caustics)},
+      filter_sampler(settings.filter),
+      settings.seed};
 }
 
 void check_size(const description::PictureSize& size) {

@@ -19,9 +19,14 @@ struct FirstSurface {
 struct Counters {
   std::uint64_t nearest_queries = 0;
   std::uint64_t occlusion_queries = 0;
+  std::uint64_t photons_emitted = 0;  ///< with those that miss what could focus them
+  std::uint64_t photons_traced = 0;
+  std::uint64_t photons_left = 0;  ///< on surfaces
 
   Counters& operator+=(const Counters& b) {
     nearest_queries += b.nearest_queries, occlusion_queries += b.occlusion_queries;
+    photons_emitted += b.photons_emitted, photons_traced += b.photons_traced;
+    photons_left += b.photons_left;
     return *this;
   }
 };

@@ -17,14 +17,6 @@ using geometry::SurfaceKind;
 /// within the rounding of doubles.
 constexpr double just_before_light = 1.0 - 1e-6;
 
-/// And this much, in scene units, before a light of triangles, which are traced in float about
-/// their centre: 4 roundings of the distance to it and of an edge (as
-/// TriangleScene::self_distance) along the normal, on a ray that meets it at up to 86 degrees.
-double before_triangles(const geometry::World& world) {
-  const Box3d box = world.triangles().bounds();
-  return box.empty() ? 0.0 : 16.0 * 4.0 * 0x1p-24 * 1.5 * max_component(box.extent());
-}
-
 /// A ray from a surface to a sampled point of a light, ending there.
 Ray ray_to_light(const Surface& from, const light::LightSample& to) {
   Ray ray = geometry::World::leave(from, to.wi);
@@ -39,6 +31,13 @@ Ray ray_to_light(const Surface& from, const light::LightSample& to) {
 }
 
 }  // namespace
+
+// 4 roundings of the distance to it and of an edge (as TriangleScene::self_distance) along the
+// normal, on a ray that meets it at up to 86 degrees.
+double before_triangles(const geometry::World& world) {
+  const Box3d box = world.triangles().bounds();
+  return box.empty() ? 0.0 : 16.0 * 4.0 * 0x1p-24 * 1.5 * max_component(box.extent());
+}
 
 NextEvent::NextEvent(const scene::Scene& scene)
     : scene_(scene), light_margin_(before_triangles(scene.world())) {}

@@ -17,6 +17,10 @@ inline geometry::LeafPatch on_leaf(const geometry::Hit& hit) {
 SampledSpectrum pattern_at(const scene::Scene& scene, const scene::PreparedMaterial& material,
                            const Met& met, const Wavelengths& wavelengths);
 
+/// In scene units: how far before a light of triangles, which are traced in float about their
+/// centre, a ray ends that is not to meet it.
+double before_triangles(const geometry::World& world);
+
 /// Next-event estimation: the light that comes straight from lights to the vertices of a path,
 /// through gaps if there are any. Immutable, shared by all threads.
 class NextEvent {

@@ -4,42 +4,39 @@
 #include <cmath>
 #include <optional>
 
+#include "bsdf/focus.h"
 #include "sampling/mis.h"
-#include "transport/relief.h"
+#include "transport/walk.h"
 
 namespace lapidary::transport {
 namespace {
 
 using bsdf::Carried;
 using bsdf::Lobe;
-using geometry::Hit;
 using geometry::Ray;
-using geometry::Surface;
-using geometry::SurfaceKind;
 
-/// The spread of the cone of paths that one of a scattered lobe stands for, drawn with `pdf`: a
-/// share of what it would be if there were no other. The lobe itself averages what it sees; this
-/// only spares looking at grains that no number of paths would resolve.
-double spread(double pdf) {
-  constexpr double share = 0.125;
-  return share * 2.0 * std::sqrt(1.0 / (pi * pdf));
-}
+/// How many smooth dielectrics of a path split it.
+constexpr int most_splits = 2;
 
-/// For what is the same everywhere.
-const SurfaceLookup nowhere;
-
-/// A path from the camera while it grows.
+/// A path from the camera, while it grows.
 class Path {
  public:
-  Path(const scene::Scene& scene, const PathSettings& settings, const NextEvent& next_event,
-       const SampleContext& context)
-      : scene_(scene),
-        settings_(settings),
-        next_event_(next_event),
-        context_(context),
-        cone_(context.cone) {}
+  struct Fixed {
+    const scene::Scene& scene;
+    const PathSettings& settings;
+    const NextEvent& next_event;
+    const SampleContext& context;
+    CausticMethod caustics;
+  };
 
-  SampledSpectrum trace(const Ray& camera_ray, FirstSurface& first);
+  Path(const Fixed& fixed, const Ray& camera_ray)
+      : fixed_(fixed), walk_(fixed.scene, fixed.context) {
+    walk_.start(camera_ray);
+  }
+
+  /// Goes on to its end, and the ends of all ways where it splits: the light that comes back.
+  SampledSpectrum follow(FirstSurface& first);
+  std::optional<WidePlace> first_wide();
 
  private:
   /// What the last scattering event was, as far as MIS needs it.
@@ -47,190 +44,212 @@ class Path {
     light::LitPoint lit;
     double pdf = 0;  ///< of the direction taken, per solid angle
     Lobe lobe = Lobe::specular;
+    bool is_narrow = true;
   };
 
-  /// What a light sends along `ray_`, weighted against light sampling, which could have found it.
+  void add_infinite_lights();
+  void add_light_met();
+  /// What a light sends along the ray, weighted against who else could have found it.
   SampledSpectrum light_met(std::uint32_t light, const light::LightHit& hit) const;
-  /// Whether the path goes on through a gap in the surface that it meets.
-  bool finds_gap(const bsdf::SurfaceDetail& detail, const texture::Lookup& lookup);
-  /// Turns `ray_` into the next direction; false when the path ends.
-  bool scatter(const Vertex& vertex, const VertexPoints& points);
-  /// The media on both sides of what was hit.
-  MediaPair media_at(const Hit& hit, const Surface& surface) const;
-  /// Leads `ray_` on through a surface between media that are the same.
-  void pass_through(const Surface& surface);
-  /// Remembers that the ray goes from one side of the surface to the other.
-  void cross(const Surface& surface, Vec3d direction);
-  SampledSpectrum transmittance(std::uint32_t medium, double distance) const {
-    return medium::transmittance(scene_.medium(medium), distance, context_.wavelengths);
+  double weight_of_caustic(std::uint32_t light, const light::LightHit& hit) const;
+  /// Whether what is found with narrow scattering behind it is a caustic's light.
+  bool is_caustic(bool is_narrow) const {
+    return is_narrow && wide_ > 0 && fixed_.caustics != CausticMethod::paths;
   }
+  void add_direct_light(const Vertex& vertex, const VertexPoints& points, bool is_narrow);
+  void add_photons(const Vertex& vertex);
+  void note_first(FirstSurface& first) const;
+
+  /// Follows one sampled way; false when the path ends.
+  bool scatter(const Vertex& vertex, const VertexPoints& points, bool is_narrow);
+  bool take_specular(const Vertex& vertex, const std::optional<bsdf::BsdfSample>& sample);
+  /// Follows what is reflected to its end, and goes on with what is refracted.
+  bool split(const bsdf::SmoothDielectric& glass, const Vertex& vertex, FirstSurface& first);
+  bool take(const Vertex& vertex, const Scattered& way, bool is_narrow);
+  double throughput() const;
   bool survives_roulette(double u);
 
-  const scene::Scene& scene_;
-  const PathSettings& settings_;
-  const NextEvent& next_event_;
-  const SampleContext& context_;
-  Ray ray_;
-  camera::Cone cone_;                                         ///< of `ray_`
-  texture::Lookup::Care care_ = texture::Lookup::Care::mean;  ///< what it sees deserves
+  const Fixed& fixed_;
+  Walk walk_;
   SampledSpectrum beta_{1.0f};
   SampledSpectrum L_;
-  Carried carried_ = Carried::all;
   Origin origin_;
-  MeshStack inside_;
-  std::optional<double> presence_;  ///< decides about gaps before the next vertex
-  double index_squared_ = 1;        ///< undoes the radiance scaling of refraction for roulette
-  int depth_ = 0;                   ///< scattering events so far
+  WideTurn turn_;             ///< the first wide one
+  int wide_ = 0;              ///< wide scattering events so far
+  int splits_ = most_splits;  ///< that are left
+  double split_share_ = 1;    ///< of the throughput, what splits have left on this way
+  double index_squared_ = 1;  ///< undoes the radiance scaling of refraction for roulette
 };
 
 SampledSpectrum Path::light_met(std::uint32_t index, const light::LightHit& hit) const {
-  const light::Light& light = scene_.lights()[index];
-  const SampledSpectrum Le = light::emitted(light, ray_.direction, hit, context_.wavelengths);
-  if (origin_.lobe == Lobe::specular || Le.is_zero()) return Le;
-  const double pdf_light = scene_.light_selector()->probability(origin_.lit, index) *
-                           light::pdf_illumination(light, origin_.lit.p, ray_.direction, hit);
+  const scene::Scene& scene = fixed_.scene;
+  const light::Light& light = scene.lights()[index];
+  const Vec3d wi = walk_.ray().direction;
+  const SampledSpectrum Le = light::emitted(light, wi, hit, fixed_.context.wavelengths);
+  if (Le.is_zero()) return Le;
+  const bool narrow = origin_.is_narrow || walk_.went_through_glass();
+  if (is_caustic(narrow)) return Le * static_cast<float>(weight_of_caustic(index, hit));
+  if (origin_.lobe == Lobe::specular || walk_.went_through_glass()) return Le;
+  const double pdf_light = scene.light_selector()->probability(origin_.lit, index) *
+                           light::pdf_illumination(light, origin_.lit.p, wi, hit);
   return Le * static_cast<float>(power_heuristic(origin_.pdf, pdf_light));
 }
 
-bool Path::finds_gap(const bsdf::SurfaceDetail& detail, const texture::Lookup& lookup) {
-  if (!detail.has_gaps()) return false;
-  const double there = opacity(detail, lookup);
-  // One number decides about all surfaces before the next vertex: what is left of it after a gap
-  // is as uniform as before.
-  if (!presence_) presence_ = VertexPoints(context_.points, depth_).presence();
-  if (*presence_ < there || there == 1.0) return false;
-  presence_ = std::min((*presence_ - there) / (1.0 - there), 1.0 - 0x1p-53);
-  return true;
+double Path::weight_of_caustic(std::uint32_t light, const light::LightHit& hit) const {
+  if (fixed_.caustics != CausticMethod::automatic || wide_ > 1) return 0.0;
+  const Ray& ray = walk_.ray();
+  return share_of_chance(
+      turn_, fixed_.context.caustics->emitter->density(light, ray.origin, ray.direction, hit));
 }
 
-MediaPair Path::media_at(const Hit& hit, const Surface& surface) const {
-  MediaPair media{inside_.medium(scene_, hit.region_before), 0};
-  if (hit.kind != SurfaceKind::triangle || scene_.mesh_filling(hit.index).medium == 0) {
-    media.after = inside_.medium(scene_, hit.region_after);
-    return media;
-  }
-  MeshStack behind = inside_;
-  if (dot(surface.geometric_normal, ray_.direction) < 0.0) {
-    behind.enter(hit.index);
-  } else {
-    behind.leave(hit.index);
-  }
-  media.after = behind.medium(scene_, hit.region_before);
-  return media;
-}
-
-void Path::cross(const Surface& surface, Vec3d direction) {
-  if (surface.kind != SurfaceKind::triangle || scene_.mesh_filling(surface.index).medium == 0)
-    return;
-  if (dot(surface.geometric_normal, direction) < 0.0) {
-    inside_.enter(surface.index);
-  } else {
-    inside_.leave(surface.index);
+void Path::add_infinite_lights() {
+  for (const std::uint32_t light : fixed_.scene.infinite_lights()) {
+    L_ += beta_ * light_met(light, {});
   }
 }
 
-void Path::pass_through(const Surface& surface) {
-  cross(surface, ray_.direction);
-  ray_ = geometry::World::leave(surface, ray_.direction);
+void Path::add_light_met() {
+  if (walk_.slot().light == scene::Slot::no_light) return;
+  const std::uint32_t light = fixed_.scene.light_index(walk_.hit());
+  const geometry::Surface& surface = walk_.surface();
+  SampledSpectrum Le =
+      light_met(light, {surface.p, surface.geometric_normal, on_leaf(walk_.hit()), surface.time});
+  if (fixed_.scene.has_pattern(light)) {
+    Le *= pattern_at(fixed_.scene, walk_.material(), walk_.met(), fixed_.context.wavelengths);
+  }
+  L_ += beta_ * Le;
 }
 
-bool Path::scatter(const Vertex& vertex, const VertexPoints& points) {
-  const auto sample = bsdf::sample(vertex.bsdf, vertex.wo, points.lobe_choice(), points.direction(),
-                                   bsdf::Mode::radiance);
-  if (!sample) return false;
-  const Vec3d direction = vertex.frame.to_world(sample->wi);
-  if (!sides_agree(vertex, direction, sample->wi)) return false;
-  beta_ *= sample->weight;
-  if (sample->lobe != Lobe::specular) {
-    beta_ *= static_cast<float>(terminator_share(vertex, direction, sample->wi));
+void Path::add_direct_light(const Vertex& vertex, const VertexPoints& points, bool is_narrow) {
+  if (is_specular(vertex.bsdf) || is_caustic(is_narrow)) return;
+  const NextEvent::Place place{vertex, walk_.media(), walk_.cone()};
+  L_ += beta_ * fixed_.next_event.direct_light(place, points, fixed_.context);
+}
+
+void Path::add_photons(const Vertex& vertex) {
+  const CausticPass* pass = fixed_.context.caustics;
+  const bool gathers =
+      fixed_.caustics == CausticMethod::automatic || fixed_.caustics == CausticMethod::photons;
+  if (!gathers || wide_ > 0) return;
+  L_ += beta_ *
+        gather(*pass, {vertex, walk_.cone().width, fixed_.settings.max_depth - walk_.depth() - 1,
+                       walk_.carried(), fixed_.caustics});
+}
+
+void Path::note_first(FirstSurface& first) const {
+  const geometry::Surface& surface = walk_.surface();
+  const bool from_behind = dot(surface.shading_normal, walk_.ray().direction) > 0.0;
+  first = {walk_.material().albedo.rgb_at(walk_.lookup()),
+           from_behind ? -surface.shading_normal : surface.shading_normal,
+           camera::depth(fixed_.scene.camera(), surface.p, walk_.ray().time),
+           fixed_.scene.object_index(walk_.hit()) + 1};
+}
+
+bool Path::take(const Vertex& vertex, const Scattered& way, bool is_narrow) {
+  const bsdf::BsdfSample& sample = way.sample;
+  beta_ *= sample.weight;
+  const bool is_specular_way = sample.lobe == Lobe::specular;
+  if (!is_specular_way) {
+    beta_ *= static_cast<float>(terminator_share(vertex, way.direction, sample.wi));
   }
-  if (sample->carried == Carried::hero) carried_ = Carried::hero;
-  index_squared_ *= sample->relative_index * sample->relative_index;
-  origin_ = {vertex.lit, sample->pdf, sample->lobe};
-  if (sample->lobe != Lobe::specular) {
-    cone_.spread = std::max(cone_.spread, spread(sample->pdf));
+  if (!is_specular_way && !is_narrow) {
+    if (wide_ == 0 && fixed_.context.caustics != nullptr) {
+      const double cosine = std::abs(dot(vertex.surface.geometric_normal, way.direction));
+      turn_ = {photon_area(*fixed_.context.caustics, walk_.cone().width), sample.pdf / cosine};
+    }
+    ++wide_;
   }
-  if (sample->lobe == Lobe::diffuse) care_ = texture::Lookup::Care::glance;
-  if ((sample->wi.z > 0.0) != (vertex.wo.z > 0.0)) cross(vertex.surface, direction);
-  ray_ = geometry::World::leave(vertex.surface, direction);
-  presence_.reset();
-  return true;
+  index_squared_ *= sample.relative_index * sample.relative_index;
+  origin_ = {vertex.lit, sample.pdf, sample.lobe, is_specular_way || is_narrow};
+  walk_.scatter(vertex, sample, way.direction);
+  return !beta_.is_zero();
+}
+
+double Path::throughput() const {
+  // The hero alone carries the weight of four.
+  const float brightest = walk_.carried() == Carried::hero ? 0.25f * beta_.max() : beta_.max();
+  return static_cast<double>(brightest) * index_squared_;
 }
 
 bool Path::survives_roulette(double u) {
-  // The hero alone carries the weight of four.
-  const float brightest = carried_ == Carried::hero ? 0.25f * beta_.max() : beta_.max();
-  const double throughput = static_cast<double>(brightest) * index_squared_;
-  if (depth_ < 1 || throughput >= 1.0) return throughput > 0.0;
+  // The ways of a split go on together until one of them is scattered widely: to drop one at random
+  // would give back what the split has gained.
+  const double throughput = this->throughput() / (wide_ > 0 ? 1.0 : split_share_);
+  if (walk_.depth() < 2 || throughput >= 1.0) return throughput > 0.0;
   if (u >= throughput) return false;
   beta_ *= static_cast<float>(1.0 / throughput);
   return true;
 }
 
-SampledSpectrum Path::trace(const Ray& camera_ray, FirstSurface& first) {
-  ray_ = camera_ray;
-  for (bool only_light_counts = false;; ++depth_) {
-    ++context_.counters.nearest_queries;
-    const Hit hit = scene_.world().nearest(ray_);
-    if (hit.kind == SurfaceKind::none) {
-      beta_ *= transmittance(inside_.medium(scene_, hit.region_before), infinity);
-      for (const std::uint32_t light : scene_.infinite_lights()) L_ += beta_ * light_met(light, {});
-      break;
-    }
-    Surface surface = scene_.world().surface(ray_, hit);
-    const MediaPair media = media_at(hit, surface);
-    beta_ *= transmittance(media.before, hit.t);  // directions have unit length
-    const scene::Slot& slot = scene_.slot(hit);
-    const scene::PreparedMaterial& material = scene_.material(slot);
-    cone_.width = cone_.width_at(hit.t);
-    const Met met{hit, surface, ray_.direction, cone_.width, care_};
-    std::optional<SurfaceLookup> found;
-    if (slot.frame != scene::Slot::no_frame) found = lookup_at(scene_, met);
-    const SurfaceLookup& lookup = found ? *found : nowhere;
-    if (finds_gap(material.detail, lookup.at)) {
-      pass_through(surface);
-      --depth_;
-      continue;
-    }
-    if (material.detail.has_relief()) {
-      surface.shading_normal = relief_normal(material.detail, surface, lookup, ray_.direction);
-    }
-    if (depth_ == 0) {
-      const bool from_behind = dot(surface.shading_normal, ray_.direction) > 0.0;
-      first = {material.albedo.rgb_at(lookup.at),
-               from_behind ? -surface.shading_normal : surface.shading_normal,
-               camera::depth(scene_.camera(), surface.p, ray_.time), scene_.object_index(hit) + 1};
-    }
-    if (slot.light != scene::Slot::no_light) {
-      const std::uint32_t light = scene_.light_index(hit);
-      SampledSpectrum Le =
-          light_met(light, {surface.p, surface.geometric_normal, on_leaf(hit), surface.time});
-      if (scene_.has_pattern(light)) Le *= pattern_at(scene_, material, met, context_.wavelengths);
-      L_ += beta_ * Le;
-    }
-    const bool is_glass = std::holds_alternative<bsdf::Glass>(material.finish.kind);
-    if (is_glass && media.before == media.after) {
-      pass_through(surface);
-      origin_.lobe = Lobe::specular;  // next-event estimation ended here
-      --depth_;
-      continue;
-    }
-    if (depth_ == settings_.max_depth || only_light_counts) break;
+bool Path::scatter(const Vertex& vertex, const VertexPoints& points, bool is_narrow) {
+  const auto way = sample_direction(vertex, points, bsdf::Mode::radiance);
+  return way && take(vertex, *way, is_narrow) && survives_roulette(points.roulette());
+}
 
-    const Vertex vertex = make_vertex({material, surface, lookup.at, ray_.direction,
-                                       scene_.medium(media.before), scene_.medium(media.after)},
-                                      context_.wavelengths, carried_);
-    const VertexPoints points(context_.points, depth_);
-    if (!is_specular(vertex.bsdf)) {
-      const NextEvent::Place place{vertex, media, cone_};
-      L_ += beta_ * next_event_.direct_light(place, points, context_);
+bool Path::take_specular(const Vertex& vertex, const std::optional<bsdf::BsdfSample>& sample) {
+  if (!sample) return false;
+  const Vec3d direction = vertex.frame.to_world(sample->wi);
+  const double before = throughput();
+  if (!sides_agree(vertex, direction, sample->wi)) return false;
+  if (!take(vertex, {*sample, direction}, true)) return false;
+  split_share_ *= throughput() / before;
+  return true;
+}
+
+bool Path::split(const bsdf::SmoothDielectric& glass, const Vertex& vertex, FirstSurface& first) {
+  const bsdf::BothWays ways = both_ways(glass, vertex.wo, bsdf::Mode::radiance);
+  --splits_;
+  Path other = *this;
+  other.L_ = {};
+  if (other.take_specular(vertex, ways.reflected)) L_ += other.follow(first);
+  return take_specular(vertex, ways.refracted);
+}
+
+SampledSpectrum Path::follow(FirstSurface& first) {
+  for (bool only_light_counts = false;;) {
+    const bool found = walk_.advance();
+    beta_ *= walk_.transmittance();
+    if (!found) {
+      add_infinite_lights();
+      return L_;
     }
-    if (!scatter(vertex, points)) break;
-    if (!survives_roulette(points.roulette())) break;
+    if (walk_.depth() == 0) note_first(first);
+    add_light_met();
+    if (walk_.depth() == fixed_.settings.max_depth || only_light_counts) return L_;
+
+    const Vertex vertex = walk_.vertex();
+    const auto* glass = std::get_if<bsdf::SmoothDielectric>(&vertex.bsdf);
+    if (glass != nullptr && splits_ > 0) {
+      if (!split(*glass, vertex, first)) return L_;
+      continue;
+    }
+    const VertexPoints points = walk_.points();
+    const bool is_narrow = bsdf::is_narrow(vertex.bsdf);
+    add_direct_light(vertex, points, is_narrow);
+    if (!is_narrow) add_photons(vertex);
+    if (!scatter(vertex, points, is_narrow)) return L_;
     only_light_counts =
-        settings_.interreflection == Interreflection::none && origin_.lobe != Lobe::specular;
+        fixed_.settings.interreflection == Interreflection::none && origin_.lobe != Lobe::specular;
   }
-  return L_;
+}
+
+std::optional<WidePlace> Path::first_wide() {
+  while (walk_.advance() && walk_.depth() < fixed_.settings.max_depth) {
+    const Vertex vertex = walk_.vertex();
+    const bool is_narrow = bsdf::is_narrow(vertex.bsdf);
+    if (!is_narrow) return WidePlace{vertex.surface.p, walk_.cone().width};
+    if (!scatter(vertex, walk_.points(), is_narrow)) break;
+  }
+  return {};
+}
+
+/// What photons would do is done by chance where there are none.
+CausticMethod usable_method(const PathSettings& settings, const SampleContext& context) {
+  if (settings.interreflection == Interreflection::none) return CausticMethod::paths;
+  if (settings.caustics == CausticMethod::off || context.caustics != nullptr) {
+    return settings.caustics;
+  }
+  return CausticMethod::paths;
 }
 
 }  // namespace
@@ -238,9 +257,17 @@ SampledSpectrum Path::trace(const Ray& camera_ray, FirstSurface& first) {
 PathTracer::PathTracer(const scene::Scene& scene, const PathSettings& settings)
     : scene_(scene), settings_(settings), next_event_(scene) {}
 
-SampledSpectrum PathTracer::radiance(const Ray& camera_ray, const SampleContext& context,
+SampledSpectrum PathTracer::radiance(const geometry::Ray& camera_ray, const SampleContext& context,
                                      FirstSurface& first) const {
-  return Path(scene_, settings_, next_event_, context).trace(camera_ray, first);
+  const Path::Fixed fixed{scene_, settings_, next_event_, context,
+                          usable_method(settings_, context)};
+  return Path(fixed, camera_ray).follow(first);
+}
+
+std::optional<WidePlace> PathTracer::first_wide(const geometry::Ray& camera_ray,
+                                                const SampleContext& context) const {
+  const Path::Fixed fixed{scene_, settings_, next_event_, context, CausticMethod::off};
+  return Path(fixed, camera_ray).first_wide();
 }
 
 }  // namespace lapidary::transport

@@ -8,12 +8,15 @@
 
 namespace lapidary::transport {
 
+struct CausticPass;
+
 /// What all samples of one pixel in one pass share.
 struct SampleContext {
   const Wavelengths& wavelengths;
   const PixelSampler& points;  ///< block 0 is the camera's, block 1 + n the n-th vertex's
   Counters& counters;
-  camera::Cone cone;  ///< of the camera's ray
+  camera::Cone cone;                      ///< of the camera's ray
+  const CausticPass* caustics = nullptr;  ///< null: without photons
 };
 
 /// Which of a vertex's eight dimensions decides what. Neighbours (0,1), (2,3) are stratified

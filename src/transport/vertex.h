@@ -43,17 +43,21 @@ inline bool sides_agree(const Vertex& vertex, Vec3d wi_world, Vec3d wi_local) {
   return crosses != same_side_as_wo;
 }
 
-/// By how much less light comes back from `wi` than the BSDF says, where the shading normal is not
-/// the geometric one: the light's edge of a smooth or rough surface fades instead of breaking off
-/// where the geometric normal turns away. 1 for light that passes through.
+/// By how much less light that comes from `l` goes to `c` than the BSDF says, where the shading
+/// normal is not the geometric one: the light's edge of a smooth or rough surface fades instead of
+/// breaking off where the geometric normal turns away. 1 for light that passes through.
 /// Source: Chiang, Li & Burley 2019, "Taming the Shadow Terminator", section 3.
-inline double terminator_share(const Vertex& vertex, Vec3d wi_world, Vec3d wi_local) {
-  if ((wi_local.z > 0.0) != (vertex.wo.z > 0.0)) return 1.0;
+inline double terminator_share(const Vertex& vertex, Vec3d l_world, Vec3d l_local, Vec3d c_local) {
+  if ((l_local.z > 0.0) != (c_local.z > 0.0)) return 1.0;
   const Vec3d ns = vertex.frame.normal, ng = vertex.surface.geometric_normal;
   const double agreement = std::abs(dot(ns, ng));
   if (agreement > 1.0 - 1e-9) return 1.0;
-  const double g = std::abs(dot(wi_world, ng)) / (std::abs(wi_local.z) * agreement);
+  const double g = std::abs(dot(l_world, ng)) / (std::abs(l_local.z) * agreement);
   return g < 1.0 ? g * (1.0 + g * (1.0 - g)) : 1.0;
+}
+/// The same for a path from the camera, which goes to wo.
+inline double terminator_share(const Vertex& vertex, Vec3d wi_world, Vec3d wi_local) {
+  return terminator_share(vertex, wi_world, wi_local, vertex.wo);
 }
 
 }  // namespace lapidary::transport

@@ -16,9 +16,9 @@ film::Film render_picture(TinyScene& tiny, PictureSize size, std::uint32_t passe
   tiny.description.render.size = size;
   const scene::Scene scene = tiny.build();
   const render::SampleSettings settings{{.max_depth = 8}, FilterSampler(FilterKind::box, 0.5), 1};
-  const render::BlockRenderer renderer(scene, settings);
-  film::Film film({.width = size.width, .height = size.height, .layers = layers});
   ThreadPool pool(2);
+  const render::BlockRenderer renderer(scene, settings, {size.width, size.height}, pool);
+  film::Film film({.width = size.width, .height = size.height, .layers = layers});
   const auto tally = renderer.render({0, passes}, film, pool);
   EXPECT_EQ(tally.faults.not_finite, 0u);
   EXPECT_EQ(tally.faults.saturated, 0u);
@@ -197,7 +197,8 @@ TEST(Picture, IsBlackAroundAFisheyesCircle) {
   const render::SampleSettings settings{{.max_depth = 2}, FilterSampler(FilterKind::box, 0.5), 1};
   film::Film film({.width = 32, .height = 32, .layers = film::Layers::all});
   ThreadPool pool(2);
-  render::BlockRenderer(scene, settings).render({0, 4}, film, pool);
+  render::BlockRenderer(scene, settings, {film.width(), film.height()}, pool)
+      .render({0, 4}, film, pool);
   for (const auto& [x, y] : {std::pair{0, 0}, {31, 0}, {2, 3}}) {
     EXPECT_EQ(film.beauty(x, y).g, 0.0f);
     EXPECT_EQ(film.depth(x, y), 0.0f);
@@ -223,7 +224,8 @@ TEST(Picture, BlursWhatMovesOverTheWayOfTheShutter) {
   const render::SampleSettings settings{{.max_depth = 1}, FilterSampler(FilterKind::box, 0.5), 1};
   film::Film film({.width = 16, .height = 16, .layers = film::Layers::beauty});
   ThreadPool pool(2);
-  render::BlockRenderer(scene, settings).render({0, 1024}, film, pool);
+  render::BlockRenderer(scene, settings, {film.width(), film.height()}, pool)
+      .render({0, 1024}, film, pool);
   // From -2 .. -1 to 2 .. 3, each place for a quarter of the time but those at the ends.
   const auto at = [&](int x) {
     double sum = 0;

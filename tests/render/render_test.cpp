@@ -18,11 +18,12 @@ struct SmallRender {
                            .add(geometry::HalfSpace{{0, 0, -1}}, matte(0.5))
                            .add(geometry::Sphere{{1, -1, 2}, 0.5}, lamp(5.0))
                            .build();
-  render::BlockRenderer renderer{scene, render::sample_settings({})};
   film::Film film{{.width = 8, .height = 6}};
+  ThreadPool pool{1};
+  render::BlockRenderer renderer{
+      scene, render::sample_settings({}), {film.width(), film.height()}, pool};
 
   render::Statistics operator()(const StopRules& rules, const render::Control& control = {}) {
-    ThreadPool pool(1);
     return render::render(renderer, rules, control, film, pool);
   }
 };

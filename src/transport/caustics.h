@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+
+#include "base/parallel.h"
+#include "transport/path.h"
+#include "transport/photon_tracer.h"
+
+namespace lapidary::transport {
+
+/// Caustics by photons: what of a render does not change from pass to pass, found out in a fixed
+/// first phase, and the photons of each pass. Passes are independent of one another.
+///
+/// Source: Hachisuka & Jensen 2009, "Stochastic Progressive Photon Mapping"; Knaus & Zwicker 2011,
+/// of which the sequence of radii is (eq. 12).
+class Caustics {
+ public:
+  struct Settings {
+    CausticMethod method = CausticMethod::automatic;
+    int max_depth = 16;
+    std::uint64_t seed = 0;
+    int width = 1, height = 1;  ///< of the picture
+  };
+
+  /// The scene must outlive this. Time: that of a few ten thousand paths.
+  Caustics(const scene::Scene& scene, const Settings& settings, ThreadPool& pool);
+
+  /// Why there are photons, or none.
+  enum class State {
+    active,
+    not_wanted,       ///< the method is another
+    no_caster,        ///< nothing focuses light
+    no_light,         ///< of no light that there is anything reaches what could focus it
+    nothing_arrives,  ///< nothing of it fell on anything that scatters widely
+    not_seen,         ///< the camera sees nothing that scatters widely
+  };
+  State state() const { return state_; }
+
+  /// The photons of one pass, with its wavelengths. Must be active. The same bits for any number of
+  /// threads.
+  CausticPass trace(std::uint32_t pass, const Wavelengths& wavelengths, ThreadPool& pool,
+                    Counters& counters) const;
+
+  std::uint32_t photons_per_pass() const { return photons_per_pass_; }
+
+ private:
+  struct Yield {
+    std::vector<Photon> photons;
+    Counters counters;
+  };
+  Yield emit(std::uint32_t pass, std::uint32_t count, const Wavelengths& wavelengths,
+             ThreadPool& pool) const;
+  State prepare(ThreadPool& pool);
+  bool measure_widths(ThreadPool& pool);
+  bool measure_yield(ThreadPool& pool);
+
+  const scene::Scene& scene_;
+  Settings settings_;
+  PhotonEmitter emitter_;
+  PhotonTracer tracer_;
+  State state_ = State::not_wanted;
+  PhotonMap::Radii widths_;  ///< of the camera's cone where it meets what scatters widely
+  std::uint32_t photons_per_pass_ = 0;
+};
+
+/// Radius of a gather in pass `pass`, from 0, over that in the first: squares shrink by
+/// (k + 2/3) / (k + 1) from the k-th pass to the next.
+double radius_shrinkage(std::uint32_t pass);
+
+}  // namespace lapidary::transport

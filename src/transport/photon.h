@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include "bsdf/scattering.h"
+#include "math/vec.h"
+#include "spectrum/sampled_spectrum.h"
+
+namespace lapidary::transport {
+
+/// Light that a caustic's path brought to a surface that scatters widely.
+struct Photon {
+  SampledSpectrum
+      power;       ///< [W/nm] of one of the photons of a pass, before that is divided by them
+  Vec3f position;  ///< from the origin of its map
+  Vec3f wi;        ///< unit, back where it came from
+  Vec3f normal;    ///< unit, geometric, on the side of `wi`
+  /// Of a photon that has met nothing but focusing surfaces: how densely photons like it leave
+  /// their light [1/(m2 sr)], for weighing against chance hits. 0 after wide scattering: chance
+  /// hits do not count there.
+  float density = 0;
+  std::uint16_t depth = 0;  ///< scattering events between the light and here
+  bsdf::Carried carried = bsdf::Carried::all;
+};
+
+}  // namespace lapidary::transport

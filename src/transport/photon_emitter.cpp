@@ -1,0 +1,259 @@
+#include "transport/photon_emitter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/frame.h"
+#include "sampling/warp.h"
+
+namespace lapidary::transport {
+namespace {
+
+using light::Ball;
+using Target = PhotonEmitter::Target;
+
+constexpr std::size_t most_targets = 24;
+/// Of the photons of a light, those that are not aimed.
+constexpr double unaimed_share = 0.05;
+
+Ball ball_around(const Box3d& box) {
+  return {box.center(), 0.5 * length(box.extent())};
+}
+
+Box3d intersection(const Box3d& a, const Box3d& b) {
+  return {max(a.min, b.min), min(a.max, b.max)};
+}
+
+Target target_of(std::span<const scene::Caster> casters) {
+  Target target;
+  for (const scene::Caster& caster : casters) {
+    target.box.extend(caster.box);
+    target.share = std::max(target.share, caster.share);
+  }
+  target.ball = ball_around(target.box);
+  return target;
+}
+
+/// Whether a ray comes into a box. Source: Kay & Kajiya 1986.
+bool meets(const Box3d& box, Vec3d origin, Vec3d direction) {
+  double near = 0.0, far = infinity;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double inverse = 1.0 / direction[axis];
+    double t0 = (box.min[axis] - origin[axis]) * inverse;
+    double t1 = (box.max[axis] - origin[axis]) * inverse;
+    if (t0 > t1) std::swap(t0, t1);
+    // Not a number where the ray lies in the plane of a face: then this axis decides nothing.
+    near = t0 > near ? t0 : near;
+    far = t1 < far ? t1 : far;
+  }
+  return near <= far * (1.0 + 1e-9);
+}
+
+/// Whether the line through p along `direction` passes through the ball.
+bool passes_through(const Ball& ball, Vec3d p, Vec3d direction) {
+  const Vec3d to = p - ball.center;
+  return length_squared(to - direction * dot(to, direction)) <= ball.radius * ball.radius;
+}
+
+}  // namespace
+
+std::vector<Target> gather_targets(std::span<const scene::Caster> casters, const Box3d& scene_box,
+                                   std::size_t most) {
+  std::vector<scene::Caster> bounded;
+  for (scene::Caster caster : casters) {
+    caster.box = intersection(caster.box, scene_box);
+    if (caster.box.bounded()) bounded.push_back(caster);
+  }
+  if (bounded.empty()) return {};
+  // Cut the group whose ball is largest at the middle of its longest side, again and again.
+  using Group = std::span<scene::Caster>;
+  std::vector<std::pair<Group, Target>> groups{{Group(bounded), target_of(bounded)}};
+  while (groups.size() < most) {
+    const auto size = [](const auto& g) {
+      return g.first.size() > 1 ? g.second.ball.radius : -1.0;
+    };
+    const auto largest =
+        std::max_element(groups.begin(), groups.end(),
+                         [&](const auto& a, const auto& b) { return size(a) < size(b); });
+    if (size(*largest) < 0.0) break;
+    const Group group = largest->first;
+    Box3d centers;
+    for (const scene::Caster& caster : group) centers.extend(caster.box.center());
+    const Vec3d extent = centers.extent();
+    const std::size_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0
+                             : extent.y >= extent.z                       ? 1
+                                                                          : 2;
+    const auto middle = group.begin() + static_cast<std::ptrdiff_t>(group.size() / 2);
+    std::nth_element(group.begin(), middle, group.end(), [axis](const auto& a, const auto& b) {
+      return a.box.center()[axis] < b.box.center()[axis];
+    });
+    const Group first(group.begin(), middle), second(middle, group.end());
+    *largest = {first, target_of(first)};
+    groups.emplace_back(second, target_of(second));
+  }
+  std::vector<Target> targets;
+  for (const auto& group : groups) targets.push_back(group.second);
+  return targets;
+}
+
+PhotonEmitter::PhotonEmitter(const scene::Scene& scene) : scene_(scene) {
+  const Box3d box = scene.world().bounds();
+  if (box.empty()) return;
+  around_ = ball_around(box);
+  targets_ = gather_targets(scene.casters(), box, most_targets);
+  if (targets_.empty()) return;
+  all_bounded_ = std::all_of(scene.casters().begin(), scene.casters().end(),
+                             [](const scene::Caster& caster) { return caster.box.bounded(); });
+  std::vector<double> weights;
+  for (std::uint32_t light = 0; light < scene.lights().size(); ++light) {
+    first_.push_back(static_cast<std::uint32_t>(proposals_.size()));
+    add_proposals(light, weights);
+  }
+  first_.push_back(static_cast<std::uint32_t>(proposals_.size()));
+  double total = 0.0;
+  for (const double weight : weights) total += weight;
+  if (!(total > 0.0)) return;
+  chosen_.emplace(weights);
+  for (std::size_t i = 0; i < proposals_.size(); ++i) {
+    proposals_[i].probability = chosen_->probability(i);
+  }
+}
+
+/// By the light that reaches the target, or the scene.
+void PhotonEmitter::add_proposals(std::uint32_t index, std::vector<double>& weights) {
+  const light::Light& light = scene_.lights()[index];
+  const light::Influence influence = light::influence(light);
+  const double whole = light::power(light, around_.radius);
+  if (!(whole > 0.0)) return;
+  const auto own = light::bounding_ball(light);
+  double aimed = 0.0;
+  for (std::uint32_t i = 0; i < targets_.size(); ++i) {
+    const Ball& ball = targets_[i].ball;
+    Cone cone;
+    if (own) {
+      const Vec3d to = ball.center - own->center;
+      const double distance = length(to), reach = ball.radius + own->radius;
+      if (distance > reach) {
+        const double sine = reach / distance;
+        cone = {to / distance, sine * sine / (1.0 + std::sqrt(1.0 - sine * sine))};
+      }
+    }
+    // Light of the flat side, of which some reaches a ball whose centre lies behind.
+    const double irradiance = std::max(influence.at(ball.center),
+                                       influence.at(ball.center + influence.front * ball.radius));
+    const double reaches = std::min(irradiance * pi * ball.radius * ball.radius, whole);
+    if (!(reaches > 0.0)) continue;
+    const double weight = reaches * targets_[i].share;
+    proposals_.push_back({index, i, cone});
+    weights.push_back(weight);
+    aimed += weight;
+  }
+  if (!(aimed > 0.0)) return;
+  Cone lobe;
+  if (influence.reach == light::Influence::Reach::in_front) lobe = {influence.front, 1.0};
+  if (influence.reach == light::Influence::Reach::in_cone) {
+    lobe = {influence.front, std::min(2.0, 1.0 - influence.normal_cosine + 1e-9)};
+  }
+  proposals_.push_back({index, no_target, lobe});
+  weights.push_back(aimed * unaimed_share / (1.0 - unaimed_share));
+}
+
+std::span<const PhotonEmitter::Proposal> PhotonEmitter::proposals_of(std::uint32_t light) const {
+  return std::span(proposals_).subspan(first_[light], first_[light + 1] - first_[light]);
+}
+
+double PhotonEmitter::density_of_directions(std::uint32_t light, Vec3d direction) const {
+  double sum = 0.0;
+  for (const Proposal& proposal : proposals_of(light)) {
+    // As pdf_uniform_cone, which wants local coordinates: the chord keeps narrow cones exact.
+    const double height = 0.5 * length_squared(direction - proposal.cone.axis);
+    if (height <= proposal.cone.one_minus_cos * (1.0 + 1e-12)) {
+      sum += proposal.probability * pdf_uniform_cone(proposal.cone.one_minus_cos);
+    }
+  }
+  return sum;
+}
+
+double PhotonEmitter::density_of_places(std::uint32_t light, Vec3d p, Vec3d direction) const {
+  double sum = 0.0;
+  for (const Proposal& proposal : proposals_of(light)) {
+    const Ball& ball = ball_of(proposal);
+    if (passes_through(ball, p, direction)) {
+      sum += proposal.probability / (pi * ball.radius * ball.radius);
+    }
+  }
+  return sum;
+}
+
+// By whichever proposal: the density is that of all of them.
+bool PhotonEmitter::may_meet(Vec3d origin, Vec3d direction) const {
+  return !all_bounded_ || std::any_of(targets_.begin(), targets_.end(), [&](const Target& target) {
+    return meets(target.box, origin, direction);
+  });
+}
+
+std::optional<PhotonEmitter::Emission> PhotonEmitter::sample(const Numbers& numbers,
+                                                             const Wavelengths& wavelengths) const {
+  const DiscreteDistribution::Sample choice = chosen_->sample(numbers.proposal);
+  const Proposal& proposal = proposals_[choice.index];
+  return light::is_infinite(scene_.lights()[proposal.light])
+             ? sample_infinite(proposal, numbers, choice.remainder, wavelengths)
+             : sample_finite(proposal, numbers, choice.remainder, wavelengths);
+}
+
+std::optional<PhotonEmitter::Emission> PhotonEmitter::sample_finite(
+    const Proposal& proposal, const Numbers& numbers, double part,
+    const Wavelengths& wavelengths) const {
+  const Vec3d local = sample_uniform_cone(numbers.direction, proposal.cone.one_minus_cos);
+  const Vec3d direction = normalize(Frame::from_normal(proposal.cone.axis).to_world(local));
+  const auto from = light::sample_departure(scene_.lights()[proposal.light], direction,
+                                            {part, numbers.place, numbers.time}, wavelengths);
+  if (!from || !may_meet(from->point, direction)) return {};
+  const double density = from->pdf * density_of_directions(proposal.light, direction);
+  if (!(density > 0.0 && std::isfinite(density))) return {};
+  Emission emission{proposal.light, {},           from->L * static_cast<float>(1.0 / density),
+                    density,        from->extent, from->on_leaf};
+  emission.ray.origin = from->point;
+  emission.ray.direction = direction;
+  emission.ray.time = numbers.time;
+  emission.from_surface = from->extent == light::Extent::area;
+  return emission;
+}
+
+std::optional<PhotonEmitter::Emission> PhotonEmitter::sample_infinite(
+    const Proposal& proposal, const Numbers& numbers, double part,
+    const Wavelengths& wavelengths) const {
+  const Ball& ball = ball_of(proposal);
+  const auto from =
+      light::sample_illumination(scene_.lights()[proposal.light], ball.center,
+                                 {part, numbers.direction, numbers.time}, wavelengths);
+  if (!from) return {};
+  const Vec3d direction = -from->wi;
+  const Vec2d disk = sample_uniform_disk(numbers.place) * ball.radius;
+  const Frame frame = Frame::from_normal(direction);
+  const Vec3d across = ball.center + frame.tangent * disk.x + frame.bitangent * disk.y;
+  // From behind everything, as seen along the ray.
+  const double back = dot(across - around_.center, direction) + 1.01 * around_.radius;
+  const Vec3d origin = across - direction * back;
+  if (!may_meet(origin, direction)) return {};
+  const double density = from->pdf * density_of_places(proposal.light, across, direction);
+  if (!(density > 0.0 && std::isfinite(density))) return {};
+  Emission emission{proposal.light, {},           from->L * static_cast<float>(1.0 / density),
+                    density,        from->extent, std::nullopt};
+  emission.ray.origin = origin;
+  emission.ray.direction = direction;
+  emission.ray.time = numbers.time;
+  return emission;
+}
+
+double PhotonEmitter::density(std::uint32_t index, Vec3d p, Vec3d wi,
+                              const light::LightHit& hit) const {
+  const light::Light& light = scene_.lights()[index];
+  if (light::is_delta(light)) return 0.0;
+  if (light::is_infinite(light)) {
+    return light::pdf_illumination(light, p, wi, hit) * density_of_places(index, p, -wi);
+  }
+  return light::pdf_departure(light, -wi, hit) * density_of_directions(index, -wi);
+}
+
+}  // namespace lapidary::transport

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "light/departure.h"
+#include "sampling/distribution.h"
+#include "scene/scene.h"
+
+namespace lapidary::transport {
+
+/// Sends photons from lights towards what may focus them.
+///
+/// Every photon belongs to one proposal: a light with a target, a ball around some casters, or with
+/// none. From a light of finite extent the direction is uniform in the cone that holds all
+/// directions from the light's ball to the target's, and the place is chosen among those that shine
+/// along it, by projected area where the light can do so: all photons of a sphere then have the
+/// same power. From infinite lights the direction is the light's own choice, and the place uniform
+/// on the target's disc across it. The density of a photon is that of all proposals of its light
+/// together; misses of the target are known before anything is traced, and count as emitted.
+class PhotonEmitter {
+ public:
+  /// The scene must outlive the emitter.
+  explicit PhotonEmitter(const scene::Scene& scene);
+
+  /// Whether there is a light that photons can leave and something that they can be aimed at.
+  bool is_useful() const { return chosen_.has_value(); }
+
+  /// What an emission is drawn with: uniform in [0, 1).
+  struct Numbers {
+    double proposal = 0;
+    Vec2d direction;
+    Vec2d place;
+    double time = 0;  ///< of the frame
+  };
+  /// Light that has left a light.
+  struct Emission {
+    std::uint32_t light = 0;
+    geometry::Ray ray;      ///< from the point on the light, or from outside the scene
+    SampledSpectrum power;  ///< [W/nm], of this photon if it were the only one
+    double density = 0;     ///< per area across the ray and solid angle [1/(m2 sr)]; 0: no chance
+    light::Extent extent = light::Extent::area;
+    std::optional<geometry::LeafPatch> on_leaf;  ///< as LightSample::on_leaf
+    bool from_surface = false;  ///< of a light that has one, which the ray is yet to leave
+  };
+  /// Nothing: a miss, or a sample of value zero.
+  std::optional<Emission> sample(const Numbers& numbers, const Wavelengths& wavelengths) const;
+
+  /// The density with which photons leave light `light` where it was met, against `wi` (unit,
+  /// towards the light) by a ray from p; `hit` counts for finite ones. 0 for delta lights.
+  double density(std::uint32_t light, Vec3d p, Vec3d wi, const light::LightHit& hit) const;
+
+  /// A ball that casters lie in, with a box that they lie in, too.
+  struct Target {
+    Box3d box;
+    light::Ball ball;
+    double share = 0;  ///< of light that is focused
+  };
+  std::span<const Target> targets() const { return targets_; }
+
+ private:
+  static constexpr std::uint32_t no_target = ~0u;
+  struct Cone {
+    Vec3d axis{0, 0, 1};
+    double one_minus_cos = 2;
+  };
+  struct Proposal {
+    std::uint32_t light = 0;
+    std::uint32_t target = no_target;
+    Cone cone;  ///< of finite lights
+    double probability = 0;
+  };
+
+  void add_proposals(std::uint32_t light, std::vector<double>& weights);
+  /// What the proposals of a light do together.
+  std::span<const Proposal> proposals_of(std::uint32_t light) const;
+  double density_of_directions(std::uint32_t light, Vec3d direction) const;
+  double density_of_places(std::uint32_t light, Vec3d p, Vec3d direction) const;
+  std::optional<Emission> sample_finite(const Proposal& proposal, const Numbers& numbers,
+                                        double part, const Wavelengths& wavelengths) const;
+  std::optional<Emission> sample_infinite(const Proposal& proposal, const Numbers& numbers,
+                                          double part, const Wavelengths& wavelengths) const;
+  const light::Ball& ball_of(const Proposal& proposal) const {
+    return proposal.target == no_target ? around_ : targets_[proposal.target].ball;
+  }
+  /// False only where there is nothing to be focused by.
+  bool may_meet(Vec3d origin, Vec3d direction) const;
+
+  const scene::Scene& scene_;
+  light::Ball around_;  ///< everything bounded
+  std::vector<Target> targets_;
+  bool all_bounded_ = true;           ///< no caster reaches beyond the targets
+  std::vector<Proposal> proposals_;   ///< in the order of lights
+  std::vector<std::uint32_t> first_;  ///< of each light's proposals, and the end
+  std::optional<DiscreteDistribution> chosen_;
+};
+
+/// Casters gathered into at most `most` targets. What is unbounded is cut to `scene_box`.
+std::vector<PhotonEmitter::Target> gather_targets(std::span<const scene::Caster> casters,
+                                                  const Box3d& scene_box, std::size_t most);
+
+}  // namespace lapidary::transport

@@ -1,0 +1,157 @@
+#include "transport/photon_tracer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bsdf/focus.h"
+#include "transport/walk.h"
+
+namespace lapidary::transport {
+namespace {
+
+using bsdf::Carried;
+using bsdf::Lobe;
+
+/// Photons have numbers of their own, not those of a pixel.
+constexpr std::uint64_t photon_stream = 0x70686f746f6e7321;
+
+/// What makes a photon that scatters agree with what a path from the camera sees where shading
+/// normals are not geometric ones. `l` is towards the light, `c` the way it goes on.
+/// Source: Veach 1997, eq. 5.19.
+double shading_correction(const Vertex& vertex, Vec3d c_world, Vec3d c_local) {
+  const Vec3d ng = vertex.surface.geometric_normal;
+  const double geometric_l = std::abs(dot(ng, vertex.frame.to_world(vertex.wo)));
+  const double shading = std::abs(c_local.z) * geometric_l;
+  if (!(shading > 0.0)) return 0.0;
+  return std::abs(vertex.wo.z) * std::abs(dot(ng, c_world)) / shading;
+}
+
+}  // namespace
+
+/// A photon on its way.
+class PhotonTracer::Flight {
+ public:
+  Flight(const PhotonTracer& tracer, const SampleContext& context, Vec3d origin,
+         std::vector<Photon>& left)
+      : tracer_(tracer), walk_(tracer.scene_, context), origin_(origin), left_(left) {}
+
+  void follow(const PhotonEmitter::Emission& emission);
+
+ private:
+  bool is_of_caustic() const { return walk_.depth() > 0 || went_through_glass_; }
+  void leave_photon();
+  bool scatter(const Vertex& vertex, bool is_narrow);
+  bool survives_roulette(SampledSpectrum before, double u);
+
+  const PhotonTracer& tracer_;
+  Walk walk_;
+  Vec3d origin_;
+  std::vector<Photon>& left_;
+  SampledSpectrum power_;
+  double density_ = 0;  ///< of the emission, until it is scattered widely
+  bool went_through_glass_ = false;
+};
+
+void PhotonTracer::Flight::follow(const PhotonEmitter::Emission& emission) {
+  power_ = emission.power;
+  density_ = emission.extent == light::Extent::delta ? 0.0 : emission.density;
+  walk_.start(emission.ray);
+  while (walk_.depth() < tracer_.max_depth_ && walk_.advance()) {
+    power_ *= walk_.transmittance();
+    went_through_glass_ = went_through_glass_ || walk_.went_through_glass();
+    const Vertex vertex = walk_.vertex();
+    const bool is_narrow = bsdf::is_narrow(vertex.bsdf);
+    if (!is_narrow && is_of_caustic()) leave_photon();
+    if (!scatter(vertex, is_narrow)) return;
+  }
+}
+
+void PhotonTracer::Flight::leave_photon() {
+  const geometry::Surface& surface = walk_.surface();
+  const Vec3d wi = -walk_.ray().direction;
+  const Vec3d n = surface.geometric_normal;
+  left_.push_back({power_, Vec3f(surface.p - origin_), Vec3f(wi), Vec3f(dot(n, wi) < 0.0 ? -n : n),
+                   static_cast<float>(density_), static_cast<std::uint16_t>(walk_.depth()),
+                   walk_.carried()});
+}
+
+bool PhotonTracer::Flight::scatter(const Vertex& vertex, bool is_narrow) {
+  const VertexPoints points = walk_.points();
+  const auto way = sample_direction(vertex, points, bsdf::Mode::importance);
+  if (!way) return false;
+  const bsdf::BsdfSample& sample = way->sample;
+  const bool is_wide = sample.lobe != Lobe::specular && !is_narrow;
+  // What falls on it straight from the light is none of a caustic's.
+  if (is_wide && !is_of_caustic()) return false;
+  const SampledSpectrum before = power_;
+  double factor = shading_correction(vertex, way->direction, sample.wi);
+  if (sample.lobe != Lobe::specular) {
+    const Vec3d to_light = vertex.frame.to_world(vertex.wo);
+    factor *= terminator_share(vertex, to_light, vertex.wo, sample.wi);
+  }
+  power_ *= sample.weight * static_cast<float>(factor);
+  if (is_wide) density_ = 0.0;
+  walk_.scatter(vertex, sample, way->direction);
+  return survives_roulette(before, points.roulette());
+}
+
+bool PhotonTracer::Flight::survives_roulette(SampledSpectrum before, double u) {
+  // The hero alone carries the power of four.
+  const double kept = static_cast<double>(power_.average()) / static_cast<double>(before.average());
+  if (!(kept > 0.0)) return false;
+  if (kept >= 1.0) return true;
+  if (u >= kept) return false;
+  power_ *= static_cast<float>(1.0 / kept);
+  return true;
+}
+
+PhotonTracer::PhotonTracer(const scene::Scene& scene, const PhotonEmitter& emitter, int max_depth)
+    : scene_(scene),
+      emitter_(emitter),
+      max_depth_(max_depth),
+      light_margin_(before_triangles(scene.world())) {}
+
+// The point was drawn; that the surface of the light is there a short look back at it tells. What
+// covers a light more closely than that hides it.
+bool PhotonTracer::leave_light(PhotonEmitter::Emission& emission, const Wavelengths& wavelengths,
+                               Counters& counters) const {
+  const light::Light& light = scene_.lights()[emission.light];
+  const double scale =
+      max_component(abs(emission.ray.origin)) + light::bounding_ball(light)->radius;
+  const bool triangles = std::holds_alternative<light::MeshLight>(light);
+  const double back = triangles ? light_margin_ : 1e-9 * scale;
+  geometry::Ray look_back;
+  look_back.origin = emission.ray.origin + emission.ray.direction * back;
+  look_back.direction = -emission.ray.direction;
+  look_back.t_max = 2.0 * back;
+  look_back.time = emission.ray.time;
+  ++counters.nearest_queries;
+  const geometry::Hit hit = scene_.world().nearest(look_back);
+  if (hit.kind == geometry::SurfaceKind::none || scene_.light_index(hit) != emission.light) {
+    return false;
+  }
+  if (emission.on_leaf && on_leaf(hit) != *emission.on_leaf) return false;
+  const geometry::Surface surface = scene_.world().surface(look_back, hit);
+  if (scene_.has_pattern(emission.light)) {
+    const scene::PreparedMaterial& material = scene_.material(scene_.slot(hit));
+    emission.power *=
+        pattern_at(scene_, material, {hit, surface, look_back.direction, 0.0}, wavelengths);
+  }
+  emission.ray = geometry::World::leave(surface, emission.ray.direction);
+  return true;
+}
+
+void PhotonTracer::trace(const Number& number, const Wavelengths& wavelengths, Vec3d origin,
+                         std::vector<Photon>& left, Counters& counters) const {
+  const PixelSampler points(number.seed ^ photon_stream, number.index, 0, number.pass);
+  const Block8 u = points.block(0);
+  ++counters.photons_emitted;
+  auto emission = emitter_.sample({u[4], {u[0], u[1]}, {u[2], u[3]}, u[5]}, wavelengths);
+  if (!emission) return;
+  if (emission->from_surface && !leave_light(*emission, wavelengths, counters)) return;
+  ++counters.photons_traced;
+  const SampleContext context{wavelengths, points, counters, {}};
+  Flight(*this, context, origin, left).follow(*emission);
+}
+
+}  // namespace lapidary::transport

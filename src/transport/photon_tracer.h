@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "transport/next_event.h"
+#include "transport/photon.h"
+#include "transport/photon_emitter.h"
+
+namespace lapidary::transport {
+
+/// Follows photons from lights, and leaves one wherever a caustic's light falls on what scatters
+/// widely. Photons go on from there: light of a caustic is that on all surfaces it reaches.
+///
+/// Source: Jensen 1996, "Global Illumination using Photon Maps"; Veach 1997, section 5.3, on
+/// shading normals.
+class PhotonTracer {
+ public:
+  PhotonTracer(const scene::Scene& scene, const PhotonEmitter& emitter, int max_depth);
+
+  /// Which photon: a number of its pass, whose wavelengths are the context's.
+  struct Number {
+    std::uint64_t seed = 0;
+    std::uint32_t pass = 0;
+    std::uint32_t index = 0;
+  };
+  /// Traces one photon. Appends what it leaves to `left`, at positions from `origin`.
+  void trace(const Number& number, const Wavelengths& wavelengths, Vec3d origin,
+             std::vector<Photon>& left, Counters& counters) const;
+
+ private:
+  class Flight;
+  /// The ray of light that leaves a surface of finite extent, with what its pattern makes of it;
+  /// false where the light is not there.
+  bool leave_light(PhotonEmitter::Emission& emission, const Wavelengths& wavelengths,
+                   Counters& counters) const;
+
+  const scene::Scene& scene_;
+  const PhotonEmitter& emitter_;
+  int max_depth_;
+  double light_margin_;  ///< off a light of triangles, from where it is looked for; scene units
+};
+
+}  // namespace lapidary::transport
