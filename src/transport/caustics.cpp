@@ -33,7 +33,7 @@ Caustics::Caustics(const scene::Scene& scene, const Settings& settings, ThreadPo
     : scene_(scene),
       settings_(settings),
       emitter_(scene),
-      tracer_(scene, emitter_, settings.max_depth - 1) {
+      tracer_(scene, emitter_, settings.max_depth) {
   state_ = prepare(pool);
 }
 
@@ -83,7 +83,7 @@ bool Caustics::measure_widths(ThreadPool& pool) {
 
 bool Caustics::measure_yield(ThreadPool& pool) {
   const Wavelengths wavelengths = Wavelengths::sample(0.5);
-  for (std::uint32_t i = 0, count = 1u << 14; i < 3; ++i, count *= 8) {
+  for (std::uint32_t i = 0, count = 1u << 14; i < 3; ++i, count *= 4) {
     const Yield yield = emit(probing_pass + i, count, wavelengths, pool);
     if (yield.photons.empty()) continue;
     const double traced = static_cast<double>(yield.counters.photons_traced) / count;

@@ -15,6 +15,7 @@ namespace lapidary::transport {
 /// shading normals.
 class PhotonTracer {
  public:
+  /// `max_depth` of whole paths, the camera's end included.
   PhotonTracer(const scene::Scene& scene, const PhotonEmitter& emitter, int max_depth);
 
   /// Which photon: a number of its pass, whose wavelengths are the context's.
