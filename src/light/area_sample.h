@@ -37,17 +37,19 @@ inline double pdf_illumination_from(double pdf_area, Vec3d p, Vec3d wi, const Li
   return facing > 0.0 ? solid_angle_pdf(pdf_area, length_squared(hit.point - p), facing) : 0.0;
 }
 
-/// What leaves the drawn point along `direction`; nothing backwards or edge-on.
+/// What leaves the drawn point along `direction` (unit length); nothing backwards or edge-on.
 inline std::optional<Departure> departure_from(const SurfacePoint& from, Vec3d direction,
                                                const Spectrum& radiance,
                                                const Wavelengths& wavelengths) {
   const double cosine = dot(from.normal, direction);
   if (!(cosine > 0.0)) return {};
-  return Departure{from.point, radiance.at(wavelengths), from.pdf_area / cosine};
+  const double pdf = from.pdf_area / cosine;
+  if (!(pdf > 0.0 && std::isfinite(pdf))) return {};
+  return Departure{from.point, from.normal, radiance.at(wavelengths), pdf};
 }
 
-/// The density of the same for a point with this normal.
-inline double pdf_departure_from(double pdf_area, Vec3d normal, Vec3d direction) {
+/// The density of the same, per area projected along `direction`, at a point with that normal.
+inline double pdf_departure_from(double pdf_area, Vec3d direction, Vec3d normal) {
   const double cosine = dot(normal, direction);
   return cosine > 0.0 ? pdf_area / cosine : 0.0;
 }

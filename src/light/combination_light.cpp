@@ -8,51 +8,20 @@ namespace lapidary::light {
 
 CombinationLight::CombinationLight(std::shared_ptr<const geometry::CompoundSurface> surface,
                                    const Place& place, double area, Spectrum radiance)
-    : surface_(std::move(surface)), place_(place), area_(area), radiance_(std::move(radiance)) {
-  const Box3d box = bounds();
-  ball_ = {box.center(), 0.5 * length(box.extent())};
-}
-
-Box3d CombinationLight::bounds() const {
-  const Box3d box = surface_->bounds();
-  if (place_.motion) return place_.motion->swept(box);
-  return place_.own ? place_.own->world_from_own().box(box) : box;
-}
-
-std::optional<LightSample> CombinationLight::sample_illumination(
-    Vec3d p, const LightNumbers& numbers, const Wavelengths& wavelengths) const {
-  const auto drawn =
-      place_.at(numbers.time, [&](const auto& own) { return draw(own, p, numbers); });
-  if (!drawn) return {};
-  auto sample = illumination_from(drawn->from, p, radiance_, wavelengths);
-  if (!sample) return {};
-  sample->L *= drawn->multiplicity;
-  sample->on_leaf = drawn->on_leaf;
-  return sample;
-}
-
-// What is seen from so far away is what shines along the direction, but for what is seen edge-on.
-std::optional<Departure> CombinationLight::sample_departure(Vec3d direction,
-                                                            const LightNumbers& numbers,
-                                                            const Wavelengths& wavelengths) const {
-  const Vec3d eye = ball_.center + direction * (1e8 * ball_.radius);
-  const auto drawn =
-      place_.at(numbers.time, [&](const auto& own) { return draw(own, eye, numbers); });
-  if (!drawn) return {};
-  auto departure = departure_from(drawn->from, direction, radiance_, wavelengths);
-  if (!departure) return {};
-  departure->L *= drawn->multiplicity;
-  departure->on_leaf = drawn->on_leaf;
-  return departure;
-}
-
-double CombinationLight::pdf_departure(Vec3d direction, const LightHit& hit) const {
-  return pdf_departure_from(density_at(hit), hit.normal, direction);
-}
+    : surface_(std::move(surface)), place_(place), area_(area), radiance_(std::move(radiance)) {}
 
 std::optional<CombinationLight::Drawn> CombinationLight::draw(
-    const std::optional<geometry::OwnSpace>& own, Vec3d eye, const LightNumbers& numbers) const {
-  const auto drawn = surface_->draw(numbers.u, numbers.part, own ? own->point(eye) : eye);
+    const LightNumbers& numbers, const std::optional<Vec3d>& eye) const {
+  return place_.at(numbers.time, [&](const std::optional<geometry::OwnSpace>& own) {
+    return draw_in(own, numbers, eye);
+  });
+}
+
+std::optional<CombinationLight::Drawn> CombinationLight::draw_in(
+    const std::optional<geometry::OwnSpace>& own, const LightNumbers& numbers,
+    std::optional<Vec3d> eye) const {
+  if (own && eye) eye = own->point(*eye);
+  const auto drawn = surface_->draw(numbers.u, numbers.part, eye);
   if (!drawn) return {};
   const geometry::LeafPoint& on_leaf = drawn->on_leaf;
   SurfacePoint from{on_leaf.p, on_leaf.normal, on_leaf.density};
@@ -62,19 +31,47 @@ std::optional<CombinationLight::Drawn> CombinationLight::draw(
     from.normal = normalize(own->world_normal(on_leaf.normal));
     from.pdf_area /= length(geometry::cofactors(map.linear()) * on_leaf.normal);
   }
-  // On which sides it shines the surface has seen to.
-  if (dot(from.normal, eye - from.point) < 0.0) from.normal = -from.normal;
   return Drawn{
-      from, static_cast<float>(on_leaf.multiplicity), {place_.number, drawn->leaf, on_leaf.patch}};
+      from, {place_.number, drawn->leaf, on_leaf.patch}, static_cast<float>(on_leaf.multiplicity)};
 }
 
-double CombinationLight::density_at(const LightHit& hit) const {
-  if (hit.on_leaf.place != place_.number) return 0.0;
-  return place_.at(hit.time, [&](const auto& own) { return density_in(own, hit); });
+std::optional<LightSample> CombinationLight::sample_illumination(
+    Vec3d p, const LightNumbers& numbers, const Wavelengths& wavelengths) const {
+  auto drawn = draw(numbers, p);
+  if (!drawn) return {};
+  drawn->turn_to(p - drawn->from.point);  // on which sides it shines the surface has seen to
+  auto sample = illumination_from(drawn->from, p, radiance_, wavelengths);
+  if (!sample) return {};
+  sample->L *= drawn->multiplicity;
+  sample->on_leaf = drawn->on_leaf;
+  return sample;
 }
 
 double CombinationLight::pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const {
-  return pdf_illumination_from(density_at(hit), p, wi, hit);
+  return pdf_illumination_from(density(hit), p, wi, hit);
+}
+
+std::optional<Departure> CombinationLight::sample_departure(Vec3d direction,
+                                                            const LightNumbers& numbers,
+                                                            const Wavelengths& wavelengths) const {
+  auto drawn = draw(numbers, std::nullopt);
+  if (!drawn) return {};
+  drawn->turn_to(direction);
+  auto sample = departure_from(drawn->from, direction, radiance_, wavelengths);
+  if (!sample) return {};
+  sample->L *= drawn->multiplicity;
+  sample->on_leaf = drawn->on_leaf;
+  return sample;
+}
+
+double CombinationLight::pdf_departure(Vec3d direction, const LightHit& hit) const {
+  return pdf_departure_from(density(hit), direction, hit.normal);
+}
+
+double CombinationLight::density(const LightHit& hit) const {
+  if (hit.on_leaf.place != place_.number) return 0.0;
+  return place_.at(
+      hit.time, [&](const std::optional<geometry::OwnSpace>& own) { return density_in(own, hit); });
 }
 
 double CombinationLight::density_in(const std::optional<geometry::OwnSpace>& own,
@@ -97,7 +94,12 @@ double CombinationLight::power(double) const {
 }
 
 Influence CombinationLight::influence() const {
-  const Box3d box = bounds();
+  Box3d box = surface_->bounds();
+  if (place_.motion) {
+    box = place_.motion->swept(box);
+  } else if (place_.own) {
+    box = place_.own->world_from_own().box(box);
+  }
   return {.reach = Influence::Reach::around,
           .strength = power(0) / (4.0 * pi),
           .center = box.center(),

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "light/area_sample.h"
 #include "math/frame.h"
 #include "sampling/warp.h"
 
@@ -19,11 +18,14 @@ DiskLight::DiskLight(const geometry::Disk& disk, Spectrum radiance)
   radius_y_ = frame.bitangent * disk.radius;
 }
 
+SurfacePoint DiskLight::draw(Vec2d u) const {
+  const Vec2d place = sample_uniform_disk(u);
+  return {center_ + place.x * radius_x_ + place.y * radius_y_, normal_, pdf_area_};
+}
+
 std::optional<LightSample> DiskLight::sample_illumination(Vec3d p, const LightNumbers& numbers,
                                                           const Wavelengths& wavelengths) const {
-  const Vec2d place = sample_uniform_disk(numbers.u);
-  const Vec3d point = center_ + place.x * radius_x_ + place.y * radius_y_;
-  return illumination_from({point, normal_, pdf_area_}, p, radiance_, wavelengths);
+  return illumination_from(draw(numbers.u), p, radiance_, wavelengths);
 }
 
 double DiskLight::pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const {
@@ -32,13 +34,11 @@ double DiskLight::pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const
 
 std::optional<Departure> DiskLight::sample_departure(Vec3d direction, const LightNumbers& numbers,
                                                      const Wavelengths& wavelengths) const {
-  const Vec2d place = sample_uniform_disk(numbers.u);
-  const Vec3d point = center_ + place.x * radius_x_ + place.y * radius_y_;
-  return departure_from({point, normal_, pdf_area_}, direction, radiance_, wavelengths);
+  return departure_from(draw(numbers.u), direction, radiance_, wavelengths);
 }
 
 double DiskLight::pdf_departure(Vec3d direction, const LightHit&) const {
-  return pdf_departure_from(pdf_area_, normal_, direction);
+  return pdf_departure_from(pdf_area_, direction, normal_);
 }
 
 SampledSpectrum DiskLight::emitted(Vec3d wi, const LightHit&,

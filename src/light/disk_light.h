@@ -3,10 +3,8 @@
 #include <optional>
 
 #include "geometry/sheet.h"
-#include "light/departure.h"
-#include "light/illumination.h"
+#include "light/area_sample.h"
 #include "light/influence.h"
-#include "spectrum/spectrum.h"
 
 namespace lapidary::light {
 
@@ -18,14 +16,16 @@ class DiskLight {
   std::optional<LightSample> sample_illumination(Vec3d p, const LightNumbers& numbers,
                                                  const Wavelengths& wavelengths) const;
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
-  SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   std::optional<Departure> sample_departure(Vec3d direction, const LightNumbers& numbers,
                                             const Wavelengths& wavelengths) const;
   double pdf_departure(Vec3d direction, const LightHit& hit) const;
+  SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   double power(double scene_radius) const;
   Influence influence() const;
 
  private:
+  SurfacePoint draw(Vec2d u) const;
+
   Vec3d center_;
   Vec3d normal_;
   Vec3d radius_x_, radius_y_;  // two perpendicular radii

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "light/departure.h"
 #include "light/illumination.h"
 #include "light/influence.h"
 #include "math/frame.h"
@@ -26,6 +27,10 @@ class DistantLight {
   std::optional<LightSample> sample_illumination(Vec3d p, const LightNumbers& numbers,
                                                  const Wavelengths& wavelengths) const;
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
+  std::optional<Departure> sample_departure(Vec3d, const LightNumbers&, const Wavelengths&) const {
+    return {};
+  }
+  double pdf_departure(Vec3d, const LightHit&) const { return 0.0; }
   SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   double power(double scene_radius) const;
   Influence influence() const;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "light/departure.h"
 #include "light/illumination.h"
 #include "light/influence.h"
 #include "sampling/distribution.h"
@@ -18,6 +19,10 @@ struct ConstantEnvironment {
   std::optional<LightSample> sample_illumination(Vec3d p, const LightNumbers& numbers,
                                                  const Wavelengths& wavelengths) const;
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
+  std::optional<Departure> sample_departure(Vec3d, const LightNumbers&, const Wavelengths&) const {
+    return {};
+  }
+  double pdf_departure(Vec3d, const LightHit&) const { return 0.0; }
   SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   double power(double scene_radius) const;
   Influence influence() const;
@@ -41,6 +46,10 @@ class ImageEnvironment {
   std::optional<LightSample> sample_illumination(Vec3d p, const LightNumbers& numbers,
                                                  const Wavelengths& wavelengths) const;
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
+  std::optional<Departure> sample_departure(Vec3d, const LightNumbers&, const Wavelengths&) const {
+    return {};
+  }
+  double pdf_departure(Vec3d, const LightHit&) const { return 0.0; }
   SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   double power(double scene_radius) const;
   Influence influence() const;

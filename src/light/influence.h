@@ -22,9 +22,10 @@ struct Influence {
   Reach reach = Reach::everywhere;
   double strength = 0;  ///< irradiance if everywhere, else intensity
   Vec3d center = {};
-  Vec3d front = {};           ///< unit normal of a flat place, axis of a cone and of the normals
-  double radius_squared = 0;  ///< of a ball around the light: no point is nearer than its surface
-  Box3d box = {};             ///< holds the light, unless it is everywhere
+  Vec3d front = {};  ///< unit normal of a flat place, axis of a cone and of the normals
+  /// Of a ball about the centre that holds the light: no point counts as nearer than its surface.
+  double radius_squared = 0;
+  Box3d box = {};  ///< holds the light, unless it is everywhere
   /// Cosines of the angles that no normal of the light's surface is further from `front` than, and
   /// that light is no further from a normal than. The normals of a point are those of its cone.
   double normal_cosine = -1;

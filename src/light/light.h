@@ -39,25 +39,23 @@ std::optional<LightSample> sample_illumination(const Light& light, Vec3d p,
 /// infinite. 0 for delta lights.
 double pdf_illumination(const Light& light, Vec3d p, Vec3d wi, const LightHit& hit);
 
-/// Radiance that a ray along `wi` (unit length, towards the light) meets at `hit`, or on leaving
-/// the scene. 0 from behind, and for delta lights.
-SampledSpectrum emitted(const Light& light, Vec3d wi, const LightHit& hit,
-                        const Wavelengths& wavelengths);
-
-/// A point of a finite light that shines along `direction` (unit length, away from the light),
-/// drawn with density `pdf_departure`, and what leaves it. Nothing where the drawn point shines
-/// elsewhere: a sample of value zero; nor from infinite lights, whose rays `sample_illumination`
-/// directs.
+/// Light that leaves along `direction` (unit length, away from the light) from a point that is
+/// drawn with density `pdf_departure`. Nothing when the drawn point turns away from it, or a
+/// point-like light does not shine there: a sample of value zero. Nothing from infinite lights,
+/// which know no point. What the sample says about when it counts is the caller's to check.
 std::optional<Departure> sample_departure(const Light& light, Vec3d direction,
                                           const LightNumbers& numbers,
                                           const Wavelengths& wavelengths);
 
-/// Density per area projected along `direction` [1/m2] with which `sample_departure` draws the
-/// point of `hit`. 0 for lights without size and infinite ones.
+/// Density, per area projected along `direction` [1/m2], with which `sample_departure` draws, for
+/// that direction, the point of `hit`. 0 for point-like and infinite lights, and for points that
+/// turn away.
 double pdf_departure(const Light& light, Vec3d direction, const LightHit& hit);
 
-/// What holds a light at any time of the frame; nothing holds infinite ones.
-std::optional<Ball> bounding_ball(const Light& light);
+/// Radiance that a ray along `wi` (unit length, towards the light) meets at `hit`, or on leaving
+/// the scene. 0 from behind, and for delta lights.
+SampledSpectrum emitted(const Light& light, Vec3d wi, const LightHit& hit,
+                        const Wavelengths& wavelengths);
 
 /// Radiant power over 360-830 nm [W] that the light sends out, or, if it is infinite, into a sphere
 /// of `scene_radius` around the scene. For choosing lights; a picture's is that of its pixels
@@ -66,6 +64,10 @@ double power(const Light& light, double scene_radius);
 
 /// How much the light could matter at a point, for choosing among a few.
 Influence influence(const Light& light);
+
+/// A ball that holds all that shines, within rounding and at all times of the frame. Nothing for
+/// infinite lights and those without a surface.
+std::optional<Ball> bounding_ball(const Light& light);
 
 /// Never met by chance, only by `sample_illumination`.
 bool is_delta(const Light& light);

@@ -54,17 +54,19 @@ MeshLight::Normals MeshLight::cone_of_normals() const {
   return all;
 }
 
-SurfacePoint MeshLight::draw(const LightNumbers& numbers) const {
+std::optional<SurfacePoint> MeshLight::draw(const LightNumbers& numbers) const {
+  if (!by_area_) return {};
   const Triangle& triangle = triangles_[by_area_->sample(numbers.part).index];
   const Vec2d b = sample_triangle(numbers.u);
-  return {triangle.corner + b.x * triangle.edge1 + b.y * triangle.edge2,
-          normalize(cross(triangle.edge1, triangle.edge2)), 1.0 / area_};
+  return SurfacePoint{triangle.corner + b.x * triangle.edge1 + b.y * triangle.edge2,
+                      normalize(cross(triangle.edge1, triangle.edge2)), 1.0 / area_};
 }
 
 std::optional<LightSample> MeshLight::sample_illumination(Vec3d p, const LightNumbers& numbers,
                                                           const Wavelengths& wavelengths) const {
-  if (!by_area_) return {};
-  return illumination_from(draw(numbers), p, radiance_, wavelengths);
+  const auto from = draw(numbers);
+  if (!from) return {};
+  return illumination_from(*from, p, radiance_, wavelengths);
 }
 
 double MeshLight::pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const {
@@ -73,12 +75,13 @@ double MeshLight::pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const
 
 std::optional<Departure> MeshLight::sample_departure(Vec3d direction, const LightNumbers& numbers,
                                                      const Wavelengths& wavelengths) const {
-  if (!by_area_) return {};
-  return departure_from(draw(numbers), direction, radiance_, wavelengths);
+  const auto from = draw(numbers);
+  if (!from) return {};
+  return departure_from(*from, direction, radiance_, wavelengths);
 }
 
 double MeshLight::pdf_departure(Vec3d direction, const LightHit& hit) const {
-  return by_area_ ? pdf_departure_from(1.0 / area_, hit.normal, direction) : 0.0;
+  return by_area_ ? pdf_departure_from(1.0 / area_, direction, hit.normal) : 0.0;
 }
 
 SampledSpectrum MeshLight::emitted(Vec3d wi, const LightHit& hit,

@@ -26,10 +26,10 @@ class MeshLight {
   std::optional<LightSample> sample_illumination(Vec3d p, const LightNumbers& numbers,
                                                  const Wavelengths& wavelengths) const;
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
-  SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   std::optional<Departure> sample_departure(Vec3d direction, const LightNumbers& numbers,
                                             const Wavelengths& wavelengths) const;
   double pdf_departure(Vec3d direction, const LightHit& hit) const;
+  SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   double power(double scene_radius) const;
   Influence influence() const;
 
@@ -39,14 +39,14 @@ class MeshLight {
     Vec3d edge1, edge2;  // cross(edge1, edge2) points to the front
   };
 
-  SurfacePoint draw(const LightNumbers& numbers) const;
-
   /// What holds all normals, for `influence`.
   struct Normals {
     Vec3d axis;
     double cosine = -1;  ///< of the angle that none is further from the axis than
   };
   Normals cone_of_normals() const;
+  /// Nothing without area.
+  std::optional<SurfacePoint> draw(const LightNumbers& numbers) const;
 
   std::vector<Triangle> triangles_;
   std::optional<DiscreteDistribution> by_area_;  // none without area

@@ -24,6 +24,11 @@ std::optional<LightSample> PointLight::sample_illumination(Vec3d p, const LightN
   return sample_point(position, p, intensity.at(wavelengths));
 }
 
+std::optional<Departure> PointLight::sample_departure(Vec3d, const LightNumbers&,
+                                                      const Wavelengths& wavelengths) const {
+  return Departure{position, {}, intensity.at(wavelengths), 1.0, Extent::delta};
+}
+
 double PointLight::power(double) const {
   return 4.0 * pi * intensity.integral();
 }
@@ -64,6 +69,14 @@ std::optional<LightSample> SpotLight::sample_illumination(Vec3d p, const LightNu
   if (share == 0.0) return {};
   sample->L *= static_cast<float>(share);
   return sample;
+}
+
+std::optional<Departure> SpotLight::sample_departure(Vec3d direction, const LightNumbers&,
+                                                     const Wavelengths& wavelengths) const {
+  const double share = falloff(dot(axis_, direction));
+  if (share == 0.0) return {};
+  const SampledSpectrum intensity = intensity_.at(wavelengths) * static_cast<float>(share);
+  return Departure{position_, {}, intensity, 1.0, Extent::delta};
 }
 
 double SpotLight::power(double) const {

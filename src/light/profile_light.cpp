@@ -37,6 +37,14 @@ std::optional<LightSample> ProfileLight::sample_illumination(Vec3d p, const Ligh
                      Extent::delta};
 }
 
+std::optional<Departure> ProfileLight::sample_departure(Vec3d direction, const LightNumbers&,
+                                                        const Wavelengths& wavelengths) const {
+  const double candela = profile_->intensity(frame_.to_local(direction));
+  if (!(candela > 0.0)) return {};
+  const SampledSpectrum intensity = per_candela_.at(wavelengths) * static_cast<float>(candela);
+  return Departure{position_, {}, intensity, 1.0, Extent::delta};
+}
+
 double ProfileLight::power(double) const {
   return profile_->flux() * per_candela_.integral();
 }

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "light/departure.h"
 #include "light/illumination.h"
 #include "light/influence.h"
 #include "light/photometric_web.h"
@@ -27,6 +28,9 @@ class ProfileLight {
   std::optional<LightSample> sample_illumination(Vec3d p, const LightNumbers& numbers,
                                                  const Wavelengths& wavelengths) const;
   double pdf_illumination(Vec3d, Vec3d, const LightHit&) const { return 0.0; }
+  std::optional<Departure> sample_departure(Vec3d direction, const LightNumbers& numbers,
+                                            const Wavelengths& wavelengths) const;
+  double pdf_departure(Vec3d, const LightHit&) const { return 0.0; }
   SampledSpectrum emitted(Vec3d, const LightHit&, const Wavelengths&) const { return {}; }
   double power(double scene_radius) const;
   Influence influence() const;

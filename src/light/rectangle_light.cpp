@@ -1,5 +1,6 @@
 #include "light/rectangle_light.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -76,7 +77,7 @@ std::optional<Departure> RectangleLight::sample_departure(Vec3d direction,
 }
 
 double RectangleLight::pdf_departure(Vec3d direction, const LightHit&) const {
-  return pdf_departure_from(1.0 / area_, normal_, direction);
+  return pdf_departure_from(1.0 / area_, direction, normal_);
 }
 
 SampledSpectrum RectangleLight::emitted(Vec3d wi, const LightHit&,
@@ -89,7 +90,7 @@ double RectangleLight::power(double) const {
 }
 
 Influence RectangleLight::influence() const {
-  const double radius = 0.5 * std::hypot(length_u_, length_v_);
+  const double diagonal = std::max(length(edge_u_ + edge_v_), length(edge_u_ - edge_v_));
   Box3d box;
   for (const Vec3d& to_corner : {Vec3d(), edge_u_, edge_v_, edge_u_ + edge_v_}) {
     box.extend(corner_ + to_corner);
@@ -98,7 +99,7 @@ Influence RectangleLight::influence() const {
           .strength = power(0) * inv_pi,
           .center = center_,
           .front = normal_,
-          .radius_squared = radius * radius,
+          .radius_squared = 0.25 * diagonal * diagonal,
           .box = box,
           .normal_cosine = 1.0};
 }

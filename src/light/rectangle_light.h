@@ -13,7 +13,7 @@ namespace lapidary::light {
 
 /// A flat parallelogram that shines to its front. One with right angles is sampled uniformly over
 /// the solid angle it fills, unless that is so small that it makes little difference and costs more
-/// than it gains; all else uniformly over the area.
+/// than it gains; all else, and light that leaves, uniformly over the area.
 class RectangleLight {
  public:
   RectangleLight(const geometry::Rectangle& rectangle, Spectrum radiance);
@@ -21,10 +21,10 @@ class RectangleLight {
   std::optional<LightSample> sample_illumination(Vec3d p, const LightNumbers& numbers,
                                                  const Wavelengths& wavelengths) const;
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
-  SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   std::optional<Departure> sample_departure(Vec3d direction, const LightNumbers& numbers,
                                             const Wavelengths& wavelengths) const;
   double pdf_departure(Vec3d direction, const LightHit& hit) const;
+  SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   double power(double scene_radius) const;
   Influence influence() const;
 

@@ -8,7 +8,9 @@
 
 namespace lapidary::light {
 
-/// A solid whose boundary shines outward. Sampled uniformly over the area of its patches.
+/// A solid whose boundary shines outward. Sampled uniformly over the area of its patches; for light
+/// that leaves a solid that is its own mirror image in a point, over the half that faces the
+/// direction.
 class SolidLight {
  public:
   /// The solid's area must be finite.
@@ -17,15 +19,16 @@ class SolidLight {
   std::optional<LightSample> sample_illumination(Vec3d p, const LightNumbers& numbers,
                                                  const Wavelengths& wavelengths) const;
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
-  SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   std::optional<Departure> sample_departure(Vec3d direction, const LightNumbers& numbers,
                                             const Wavelengths& wavelengths) const;
   double pdf_departure(Vec3d direction, const LightHit& hit) const;
+  SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   double power(double scene_radius) const;
   Influence influence() const;
 
  private:
   geometry::PlacedSolid solid_;
+  std::optional<Vec3d> center_;  // of symmetry, if it is known
   Spectrum radiance_;
 };
 

@@ -42,14 +42,12 @@ double SphereLight::pdf_illumination(Vec3d p, Vec3d, const LightHit&) const {
   return width > 0.0 ? pdf_uniform_cone(width) : 0.0;
 }
 
-// Even on the disk that the sphere covers across the direction.
+// What is uniform on that disk has normals by the cosine.
 std::optional<Departure> SphereLight::sample_departure(Vec3d direction, const LightNumbers& numbers,
                                                        const Wavelengths& wavelengths) const {
-  const DiskPoint disk = concentric_disk(numbers.u);
-  const double height = std::sqrt(std::max(0.0, 1.0 - disk.radius_squared));
-  const Vec3d on_unit_sphere =
-      Frame::from_normal(direction).to_world({disk.position.x, disk.position.y, height});
-  return Departure{center_ + on_unit_sphere * radius_, radiance_.at(wavelengths),
+  const Frame frame = Frame::from_normal(direction);
+  const Vec3d normal = frame.to_world(sample_cosine_hemisphere(numbers.u));
+  return Departure{center_ + radius_ * normal, normal, radiance_.at(wavelengths),
                    inv_pi / (radius_ * radius_)};
 }
 

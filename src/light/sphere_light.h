@@ -9,7 +9,8 @@
 
 namespace lapidary::light {
 
-/// A sphere that shines outward; dark inside. Sampled uniformly over the solid angle it fills.
+/// A sphere that shines outward; dark inside. Sampled uniformly over the solid angle it fills, or,
+/// for light that leaves it, over the disk that it shows to the direction.
 class SphereLight {
  public:
   /// `radius` > 0.
@@ -18,10 +19,10 @@ class SphereLight {
   std::optional<LightSample> sample_illumination(Vec3d p, const LightNumbers& numbers,
                                                  const Wavelengths& wavelengths) const;
   double pdf_illumination(Vec3d p, Vec3d wi, const LightHit& hit) const;
-  SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   std::optional<Departure> sample_departure(Vec3d direction, const LightNumbers& numbers,
                                             const Wavelengths& wavelengths) const;
   double pdf_departure(Vec3d direction, const LightHit& hit) const;
+  SampledSpectrum emitted(Vec3d wi, const LightHit& hit, const Wavelengths& wavelengths) const;
   double power(double scene_radius) const;
   Influence influence() const;
 

@@ -61,6 +61,16 @@ TEST(LightSelector, NeverLeavesOutALightThatReachesThePoint) {
   }
 }
 
+TEST(Influence, OfAParallelogramHoldsItsLongDiagonal) {
+  for (const double lean : {-1.5, 0.0, 1.5}) {
+    const Influence all = influence(RectangleLight({{1, 2, 3}, {2, 0, 0}, {lean, 1, 0}}, white()));
+    for (const Vec3d& corner :
+         {Vec3d(1, 2, 3), Vec3d(3, 2, 3), Vec3d(1 + lean, 3, 3), Vec3d(3 + lean, 3, 3)}) {
+      EXPECT_LE(length_squared(corner - all.center), all.radius_squared * (1 + 1e-15));
+    }
+  }
+}
+
 TEST(LightSelector, KeepsSpotsOutOfWhereTheyDoNotShine) {
   const SpotLight::Cone down{{0, 0, -1}, 0.2, 0.5};
   const std::vector<Light> lights{SpotLight({0, 0, 4}, down, white()),
