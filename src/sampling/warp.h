@@ -59,6 +59,17 @@ inline DiskPoint concentric_disk(Vec2d u) {
   return {radius * radius, wide ? Vec2d{along, across} : Vec2d{across, along}};
 }
 
+/// The point of [0, 1]^2 that `concentric_disk` takes to `p`, in the unit disk.
+inline Vec2d concentric_square(Vec2d p) {
+  const double radius = std::sqrt(p.x * p.x + p.y * p.y);
+  if (radius == 0.0) return {0.5, 0.5};
+  const bool wide = std::abs(p.x) > std::abs(p.y);
+  const double far = std::copysign(radius, wide ? p.x : p.y);
+  const double near = far * (4.0 * inv_pi) * std::atan(wide ? p.y / p.x : p.x / p.y);
+  const double a = wide ? far : near, b = wide ? near : far;
+  return {0.5 * (a + 1.0), 0.5 * (b + 1.0)};
+}
+
 /// Uniform on the unit disk.
 inline Vec2d sample_uniform_disk(Vec2d u) {
   return concentric_disk(u).position;

@@ -8,7 +8,7 @@ namespace {
 
 /// In diameters of the camera's cone, which is a pixel's: the radius of the first pass.
 constexpr double first_radius = 1.75;
-/// Photons that are traced in a pass, for each pixel.
+/// Photons of a pass that bring light somewhere, for each pixel.
 constexpr double photons_per_pixel = 0.5;
 constexpr std::uint32_t most_per_pass = 1u << 24;
 /// Photons traced together by one thread.
@@ -44,7 +44,7 @@ Caustics::State Caustics::prepare(ThreadPool& pool) {
   if (emitter_.targets().empty()) return State::no_caster;
   if (!emitter_.is_useful()) return State::no_light;
   if (!measure_widths(pool)) return State::not_seen;
-  return measure_yield(pool) ? State::active : State::nothing_arrives;
+  return learn(pool) ? State::active : State::nothing_arrives;
 }
 
 bool Caustics::measure_widths(ThreadPool& pool) {
@@ -81,15 +81,20 @@ bool Caustics::measure_widths(ThreadPool& pool) {
   return true;
 }
 
-bool Caustics::measure_yield(ThreadPool& pool) {
+bool Caustics::learn(ThreadPool& pool) {
   const Wavelengths wavelengths = Wavelengths::sample(0.5);
-  for (std::uint32_t i = 0, count = 1u << 14; i < 3; ++i, count *= 4) {
-    const Yield yield = emit(probing_pass + i, count, wavelengths, pool);
-    if (yield.photons.empty()) continue;
-    const double traced = static_cast<double>(yield.counters.photons_traced) / count;
+  std::uint32_t pass = probing_pass;
+  for (std::uint32_t count = 1u << 16; count <= 1u << 18; count *= 4) {
+    const Yield yield = emit(pass++, count, wavelengths, pool);
+    if (yield.useful.empty()) continue;
+    emitter_.learn(yield.useful);
+    // What it has learned decides how many photons are emitted for those that are wanted.
+    constexpr std::uint32_t again = 1u << 14;
+    const Yield now = emit(pass++, again, wavelengths, pool);
+    const double useful = std::max(static_cast<double>(now.useful.size()) / again, 1e-3);
     const double pixels = double(settings_.width) * double(settings_.height);
     photons_per_pass_ = static_cast<std::uint32_t>(
-        std::clamp(photons_per_pixel * pixels / traced, 1024.0, double{most_per_pass}));
+        std::clamp(photons_per_pixel * pixels / useful, 1024.0, double{most_per_pass}));
     return true;
   }
   return false;
@@ -102,9 +107,12 @@ Caustics::Yield Caustics::emit(std::uint32_t pass, std::uint32_t count,
   pool.parallel_for(parts.size(), 1, [&](IndexRange some) {
     for (std::size_t part = some.begin; part < some.end; ++part) {
       const std::size_t end = std::min<std::size_t>((part + 1) * chunk, count);
+      Yield& mine = parts[part];
       for (std::size_t i = part * chunk; i < end; ++i) {
-        tracer_.trace({settings_.seed, pass, static_cast<std::uint32_t>(i)}, wavelengths, origin,
-                      parts[part].photons, parts[part].counters);
+        const std::size_t before = mine.photons.size();
+        const auto drawn = tracer_.trace({settings_.seed, pass, static_cast<std::uint32_t>(i)},
+                                         wavelengths, origin, mine.photons, mine.counters);
+        if (mine.photons.size() > before) mine.useful.push_back(*drawn);
       }
     }
   });
@@ -114,6 +122,7 @@ Caustics::Yield Caustics::emit(std::uint32_t pass, std::uint32_t count,
   yield.photons.reserve(size);
   for (const Yield& part : parts) {
     yield.photons.insert(yield.photons.end(), part.photons.begin(), part.photons.end());
+    yield.useful.insert(yield.useful.end(), part.useful.begin(), part.useful.end());
     yield.counters += part.counters;
   }
   yield.counters.photons_left = size;

@@ -46,13 +46,14 @@ class Caustics {
  private:
   struct Yield {
     std::vector<Photon> photons;
+    std::vector<PhotonEmitter::Origin> useful;  ///< what the photons were that left any
     Counters counters;
   };
   Yield emit(std::uint32_t pass, std::uint32_t count, const Wavelengths& wavelengths,
              ThreadPool& pool) const;
   State prepare(ThreadPool& pool);
   bool measure_widths(ThreadPool& pool);
-  bool measure_yield(ThreadPool& pool);
+  bool learn(ThreadPool& pool);
 
   const scene::Scene& scene_;
   Settings settings_;

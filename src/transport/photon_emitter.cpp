@@ -15,6 +15,10 @@ using Target = PhotonEmitter::Target;
 constexpr std::size_t most_targets = 24;
 /// Of the photons of a light, those that are not aimed.
 constexpr double unaimed_share = 0.05;
+/// Cells of a proposal's square along each side.
+constexpr std::size_t guide_width = 24;
+/// Of what emission was like before it learned, the share that stays.
+constexpr double kept_share = 0.15;
 
 Ball ball_around(const Box3d& box) {
   return {box.center(), 0.5 * length(box.extent())};
@@ -22,6 +26,12 @@ Ball ball_around(const Box3d& box) {
 
 Box3d intersection(const Box3d& a, const Box3d& b) {
   return {max(a.min, b.min), min(a.max, b.max)};
+}
+
+/// Of a point that rounding may have put on the far sides of the unit square.
+Vec2d inside(Vec2d square) {
+  constexpr double last = 1.0 - 0x1p-53;
+  return {std::clamp(square.x, 0.0, last), std::clamp(square.y, 0.0, last)};
 }
 
 Target target_of(std::span<const scene::Caster> casters) {
@@ -47,6 +57,25 @@ bool meets(const Box3d& box, Vec3d origin, Vec3d direction) {
     far = t1 < far ? t1 : far;
   }
   return near <= far * (1.0 + 1e-9);
+}
+
+/// The point of the unit square that gives this direction of the cone.
+template <typename Cone>
+Vec2d square_of(const Cone& cone, Vec3d direction) {
+  const Frame frame = Frame::from_normal(cone.axis);
+  const Vec2d across{dot(direction, frame.tangent), dot(direction, frame.bitangent)};
+  const double sine = std::hypot(across.x, across.y);
+  if (sine == 0.0) return {0.5, 0.5};
+  const double height = 0.5 * length_squared(direction - cone.axis);
+  const double radius = std::min(std::sqrt(height / cone.one_minus_cos), 1.0 - 1e-15);
+  return inside(concentric_square(across * (radius / sine)));
+}
+
+/// The point of the unit square that gives the place on the ball's disk across the direction.
+Vec2d square_of(const Ball& ball, Vec3d p, Vec3d direction) {
+  const Frame frame = Frame::from_normal(direction);
+  const Vec3d from = (p - ball.center) / ball.radius;
+  return inside(concentric_square({dot(from, frame.tangent), dot(from, frame.bitangent)}));
 }
 
 /// Whether the line through p along `direction` passes through the ball.
@@ -113,10 +142,40 @@ PhotonEmitter::PhotonEmitter(const scene::Scene& scene) : scene_(scene) {
   double total = 0.0;
   for (const double weight : weights) total += weight;
   if (!(total > 0.0)) return;
+  set_probabilities(weights);
+}
+
+void PhotonEmitter::set_probabilities(std::span<const double> weights) {
   chosen_.emplace(weights);
   for (std::size_t i = 0; i < proposals_.size(); ++i) {
     proposals_[i].probability = chosen_->probability(i);
   }
+}
+
+void PhotonEmitter::learn(std::span<const Origin> useful) {
+  if (useful.empty()) return;
+  std::vector<std::vector<double>> counts(proposals_.size());
+  std::vector<double> weights(proposals_.size());
+  for (const auto& [proposal, square] : useful) {
+    std::vector<double>& count = counts[proposal];
+    count.resize(guide_width * guide_width);
+    const auto along = [](double u) {
+      return std::min(static_cast<std::size_t>(u * guide_width), guide_width - 1);
+    };
+    count[along(square.y) * guide_width + along(square.x)] += 1.0;
+    weights[proposal] += 1.0;
+  }
+  const auto all = static_cast<double>(useful.size());
+  for (std::size_t i = 0; i < proposals_.size(); ++i) {
+    const double seen = weights[i];
+    weights[i] = std::lerp(seen / all, proposals_[i].probability, kept_share);
+    // Of a few photons a grid would know little.
+    if (seen < guide_width) continue;
+    const double kept = kept_share * seen / (guide_width * guide_width);
+    for (double& count : counts[i]) count = (1.0 - kept_share) * count + kept;
+    proposals_[i].guide.emplace(counts[i], guide_width);
+  }
+  set_probabilities(weights);
 }
 
 /// By the light that reaches the target, or the scene.
@@ -165,11 +224,12 @@ std::span<const PhotonEmitter::Proposal> PhotonEmitter::proposals_of(std::uint32
 double PhotonEmitter::density_of_directions(std::uint32_t light, Vec3d direction) const {
   double sum = 0.0;
   for (const Proposal& proposal : proposals_of(light)) {
+    const Cone& cone = proposal.cone;
     // As pdf_uniform_cone, which wants local coordinates: the chord keeps narrow cones exact.
-    const double height = 0.5 * length_squared(direction - proposal.cone.axis);
-    if (height <= proposal.cone.one_minus_cos * (1.0 + 1e-12)) {
-      sum += proposal.probability * pdf_uniform_cone(proposal.cone.one_minus_cos);
-    }
+    const double height = 0.5 * length_squared(direction - cone.axis);
+    if (!(height <= cone.one_minus_cos * (1.0 + 1e-12))) continue;
+    const double uniform = proposal.probability * pdf_uniform_cone(cone.one_minus_cos);
+    sum += proposal.guide ? uniform * proposal.density(square_of(cone, direction)) : uniform;
   }
   return sum;
 }
@@ -178,9 +238,9 @@ double PhotonEmitter::density_of_places(std::uint32_t light, Vec3d p, Vec3d dire
   double sum = 0.0;
   for (const Proposal& proposal : proposals_of(light)) {
     const Ball& ball = ball_of(proposal);
-    if (passes_through(ball, p, direction)) {
-      sum += proposal.probability / (pi * ball.radius * ball.radius);
-    }
+    if (!passes_through(ball, p, direction)) continue;
+    const double uniform = proposal.probability / (pi * ball.radius * ball.radius);
+    sum += proposal.guide ? uniform * proposal.density(square_of(ball, p, direction)) : uniform;
   }
   return sum;
 }
@@ -196,53 +256,67 @@ std::optional<PhotonEmitter::Emission> PhotonEmitter::sample(const Numbers& numb
                                                              const Wavelengths& wavelengths) const {
   const DiscreteDistribution::Sample choice = chosen_->sample(numbers.proposal);
   const Proposal& proposal = proposals_[choice.index];
-  return light::is_infinite(scene_.lights()[proposal.light])
-             ? sample_infinite(proposal, numbers, choice.remainder, wavelengths)
-             : sample_finite(proposal, numbers, choice.remainder, wavelengths);
+  const bool is_infinite = light::is_infinite(scene_.lights()[proposal.light]);
+  const Vec2d u = is_infinite ? numbers.place : numbers.direction;
+  const Origin origin{static_cast<std::uint32_t>(choice.index),
+                      proposal.guide ? proposal.guide->sample(u).point : u};
+  return is_infinite ? sample_infinite(origin, numbers, choice.remainder, wavelengths)
+                     : sample_finite(origin, numbers, choice.remainder, wavelengths);
 }
 
 std::optional<PhotonEmitter::Emission> PhotonEmitter::sample_finite(
-    const Proposal& proposal, const Numbers& numbers, double part,
+    const Origin& origin, const Numbers& numbers, double part,
     const Wavelengths& wavelengths) const {
-  const Vec3d local = sample_uniform_cone(numbers.direction, proposal.cone.one_minus_cos);
+  const Proposal& proposal = proposals_[origin.proposal];
+  const Vec3d local = sample_uniform_cone(origin.square, proposal.cone.one_minus_cos);
   const Vec3d direction = normalize(Frame::from_normal(proposal.cone.axis).to_world(local));
   const auto from = light::sample_departure(scene_.lights()[proposal.light], direction,
                                             {part, numbers.place, numbers.time}, wavelengths);
   if (!from || !may_meet(from->point, direction)) return {};
   const double density = from->pdf * density_of_directions(proposal.light, direction);
   if (!(density > 0.0 && std::isfinite(density))) return {};
-  Emission emission{proposal.light, {},           from->L * static_cast<float>(1.0 / density),
-                    density,        from->extent, from->on_leaf};
+  Emission emission;
+  emission.origin = origin;
+  emission.light = proposal.light;
   emission.ray.origin = from->point;
   emission.ray.direction = direction;
   emission.ray.time = numbers.time;
+  emission.power = from->L * static_cast<float>(1.0 / density);
+  emission.density = density;
+  emission.extent = from->extent;
+  emission.on_leaf = from->on_leaf;
   emission.from_surface = from->extent == light::Extent::area;
   return emission;
 }
 
 std::optional<PhotonEmitter::Emission> PhotonEmitter::sample_infinite(
-    const Proposal& proposal, const Numbers& numbers, double part,
+    const Origin& origin, const Numbers& numbers, double part,
     const Wavelengths& wavelengths) const {
+  const Proposal& proposal = proposals_[origin.proposal];
   const Ball& ball = ball_of(proposal);
   const auto from =
       light::sample_illumination(scene_.lights()[proposal.light], ball.center,
                                  {part, numbers.direction, numbers.time}, wavelengths);
   if (!from) return {};
   const Vec3d direction = -from->wi;
-  const Vec2d disk = sample_uniform_disk(numbers.place) * ball.radius;
+  const Vec2d disk = sample_uniform_disk(origin.square) * ball.radius;
   const Frame frame = Frame::from_normal(direction);
   const Vec3d across = ball.center + frame.tangent * disk.x + frame.bitangent * disk.y;
   // From behind everything, as seen along the ray.
   const double back = dot(across - around_.center, direction) + 1.01 * around_.radius;
-  const Vec3d origin = across - direction * back;
-  if (!may_meet(origin, direction)) return {};
+  const Vec3d start = across - direction * back;
+  if (!may_meet(start, direction)) return {};
   const double density = from->pdf * density_of_places(proposal.light, across, direction);
   if (!(density > 0.0 && std::isfinite(density))) return {};
-  Emission emission{proposal.light, {},           from->L * static_cast<float>(1.0 / density),
-                    density,        from->extent, std::nullopt};
-  emission.ray.origin = origin;
+  Emission emission;
+  emission.origin = origin;
+  emission.light = proposal.light;
+  emission.ray.origin = start;
   emission.ray.direction = direction;
   emission.ray.time = numbers.time;
+  emission.power = from->L * static_cast<float>(1.0 / density);
+  emission.density = density;
+  emission.extent = from->extent;
   return emission;
 }
 

@@ -19,7 +19,11 @@ namespace lapidary::transport {
 /// along it, by projected area where the light can do so: all photons of a sphere then have the
 /// same power. From infinite lights the direction is the light's own choice, and the place uniform
 /// on the target's disc across it. The density of a photon is that of all proposals of its light
-/// together; misses of the target are known before anything is traced, and count as emitted.
+/// together; misses of all targets are known before anything is traced, and count as emitted.
+///
+/// What photons of a first phase did teaches the emitter which proposals, and within them which
+/// directions or places, are worth most; a share stays as it was. Source: after Grittmann et al.
+/// 2018, "Efficient Caustic Rendering with Lightweight Photon Mapping".
 class PhotonEmitter {
  public:
   /// The scene must outlive the emitter.
@@ -35,8 +39,18 @@ class PhotonEmitter {
     Vec2d place;
     double time = 0;  ///< of the frame
   };
+  /// What a photon was drawn as: a point of the unit square of its proposal, which stands for its
+  /// direction or, of infinite lights, for its place.
+  struct Origin {
+    std::uint32_t proposal = 0;
+    Vec2d square;
+  };
+  /// Learns from photons that brought a caustic's light somewhere. Once, before it is shared.
+  void learn(std::span<const Origin> useful);
+
   /// Light that has left a light.
   struct Emission {
+    Origin origin;
     std::uint32_t light = 0;
     geometry::Ray ray;      ///< from the point on the light, or from outside the scene
     SampledSpectrum power;  ///< [W/nm], of this photon if it were the only one
@@ -71,6 +85,10 @@ class PhotonEmitter {
     std::uint32_t target = no_target;
     Cone cone;  ///< of finite lights
     double probability = 0;
+    std::optional<PiecewiseConstant2D> guide;  ///< over the square; uniform before it has learned
+
+    /// The density on the square, of a point of it.
+    double density(Vec2d square) const { return guide ? guide->pdf(square) : 1.0; }
   };
 
   void add_proposals(std::uint32_t light, std::vector<double>& weights);
@@ -78,10 +96,11 @@ class PhotonEmitter {
   std::span<const Proposal> proposals_of(std::uint32_t light) const;
   double density_of_directions(std::uint32_t light, Vec3d direction) const;
   double density_of_places(std::uint32_t light, Vec3d p, Vec3d direction) const;
-  std::optional<Emission> sample_finite(const Proposal& proposal, const Numbers& numbers,
-                                        double part, const Wavelengths& wavelengths) const;
-  std::optional<Emission> sample_infinite(const Proposal& proposal, const Numbers& numbers,
-                                          double part, const Wavelengths& wavelengths) const;
+  void set_probabilities(std::span<const double> weights);
+  std::optional<Emission> sample_finite(const Origin& origin, const Numbers& numbers, double part,
+                                        const Wavelengths& wavelengths) const;
+  std::optional<Emission> sample_infinite(const Origin& origin, const Numbers& numbers, double part,
+                                          const Wavelengths& wavelengths) const;
   const light::Ball& ball_of(const Proposal& proposal) const {
     return proposal.target == no_target ? around_ : targets_[proposal.target].ball;
   }

@@ -141,17 +141,20 @@ bool PhotonTracer::leave_light(PhotonEmitter::Emission& emission, const Waveleng
   return true;
 }
 
-void PhotonTracer::trace(const Number& number, const Wavelengths& wavelengths, Vec3d origin,
-                         std::vector<Photon>& left, Counters& counters) const {
+std::optional<PhotonEmitter::Origin> PhotonTracer::trace(const Number& number,
+                                                         const Wavelengths& wavelengths,
+                                                         Vec3d origin, std::vector<Photon>& left,
+                                                         Counters& counters) const {
   const PixelSampler points(number.seed ^ photon_stream, number.index, 0, number.pass);
   const Block8 u = points.block(0);
   ++counters.photons_emitted;
   auto emission = emitter_.sample({u[4], {u[0], u[1]}, {u[2], u[3]}, u[5]}, wavelengths);
-  if (!emission) return;
-  if (emission->from_surface && !leave_light(*emission, wavelengths, counters)) return;
+  if (!emission) return {};
+  if (emission->from_surface && !leave_light(*emission, wavelengths, counters)) return {};
   ++counters.photons_traced;
   const SampleContext context{wavelengths, points, counters, {}};
   Flight(*this, context, origin, left).follow(*emission);
+  return emission->origin;
 }
 
 }  // namespace lapidary::transport

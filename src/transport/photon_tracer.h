@@ -24,9 +24,11 @@ class PhotonTracer {
     std::uint32_t pass = 0;
     std::uint32_t index = 0;
   };
-  /// Traces one photon. Appends what it leaves to `left`, at positions from `origin`.
-  void trace(const Number& number, const Wavelengths& wavelengths, Vec3d origin,
-             std::vector<Photon>& left, Counters& counters) const;
+  /// Traces one photon. Appends what it leaves to `left`, at positions from `origin`. What it was
+  /// drawn as, unless it was a miss.
+  std::optional<PhotonEmitter::Origin> trace(const Number& number,
+                                             const Wavelengths& wavelengths, Vec3d origin,
+                                             std::vector<Photon>& left, Counters& counters) const;
 
  private:
   class Flight;
