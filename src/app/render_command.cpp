@@ -89,6 +89,14 @@ void write_text(const std::string& path, const std::string& text) {
   file.commit();
 }
 
+/// What the user should know of caustics that are wanted and will not be there.
+void warn_about_caustics(transport::Caustics::State state, WarningLog& warnings) {
+  if (state != transport::Caustics::State::nothing_arrives) return;
+  warnings.add({},
+               "no photon that was sent through glass or off a mirror reached a surface that could "
+               "show it: what caustics there are is left to paths");
+}
+
 /// Renders under the eyes of the user, who may end it.
 render::Statistics render_watched(const RenderCommand& command, const scene::Scene& scene,
                                   const description::RenderSettings& settings, film::Film& film,
@@ -97,6 +105,7 @@ render::Statistics render_watched(const RenderCommand& command, const scene::Sce
   const auto display = make_progress_display(command.progress);
   const render::BlockRenderer renderer(scene, render::sample_settings(settings),
                                        {film.width(), film.height()}, pool);
+  warn_about_caustics(renderer.caustics().state(), warnings);
   const render::Control control{
       .on_progress = [&](const render::Progress& p) { display->update(state_of(p)); },
       .stop = &interrupt.requested()};

@@ -7,9 +7,9 @@ namespace lapidary::transport {
 namespace {
 
 /// In diameters of the camera's cone, which is a pixel's: the radius of the first pass.
-constexpr double first_radius = 1.75;
+constexpr double first_radius = 2.5;
 /// Photons of a pass that bring light somewhere, for each pixel.
-constexpr double photons_per_pixel = 0.5;
+constexpr double photons_per_pixel = 0.25;
 constexpr std::uint32_t most_per_pass = 1u << 24;
 /// Photons traced together by one thread.
 constexpr std::size_t chunk = 1024;
