@@ -1,16 +1,21 @@
--- Gem: a round brilliant with its 57 facets, from the proportions jewellers state.
+-- Gem: a round brilliant with its 57 facets, from the proportions jewellers state, and the fire it
+-- throws on what it lies on.
 --
 --   lapidary render gem.lua
 --   lapidary render gem.lua --set pavilion=38        too flat: a dull ring, a fish eye
 --   lapidary render gem.lua --set stone=N-BK7        the same of window glass
+--   lapidary render gem.lua --set "lamp={0, 10, 6}"  lit from behind
 --
 -- A facet is ground by holding the stone against a wheel: it takes away all that is on the far side
 -- of a plane. So the stone is what lies below 57 planes and in a round bar, its girdle. Three
 -- corners are enough to know a plane, and those follow from the proportions.
 --
--- Fire is dispersion of small bright lights: hence the many panels, and the dark between them.
+-- Fire is dispersion of small bright lights. A narrow spot, all of it on the stone, comes out again
+-- in hundreds of beams, which the facets have drawn out into colours; small panels, and the dark
+-- between them, show in the facets themselves.
 
-local stone = param("stone", "diamond") -- a glass that `lapidary help glass` lists
+local stone = param("stone", "diamond")  -- a glass that `lapidary help glass` lists
+local lamp = param("lamp", { -9, 2, 4 }) -- where the spot is
 
 -- Degrees between facets and girdle; the others are shares of the girdle's radius or, for
 -- the lengths of facets, of the way they have between table and girdle or girdle and culet.
@@ -79,37 +84,36 @@ local function at_rest(gem, turn)
 end
 
 --- Small panels on a dome, spread like the seeds of a sunflower; none of them where the table of
---- the stone, or the one it lies on, would show its mirror image to the camera.
-local function lamps(count, distance)
-  local panels, golden = {}, pi * (3 - math.sqrt(5))
+--- the stone would show its mirror image to the camera.
+local function panels(count, distance)
+  local list, golden = {}, pi * (3 - math.sqrt(5))
   for i = 1, count do
-    local z = 0.1 + 0.9 * (i - 0.5) / count
+    local z = 0.15 + 0.85 * (i - 0.5) / count
     local r, angle = math.sqrt(1 - z * z), i * golden
     local x, y = r * cos(angle), r * sin(angle)
-    local in_stone = y < 0 and z > 0.75 and math.abs(x) < 0.3
-    local on_table = y > 0 and z < 0.85
-    if not in_stone and not on_table then
-      panels[#panels + 1] = rectangle_light {
-        center = { distance * x, distance * y, distance * z }, size = { 1.6, 1.6 },
-        at = { 0, 0, 0 }, radiance = 7, name = "lamp",
+    if not (y < 0 and z > 0.75 and math.abs(x) < 0.3) then
+      list[#list + 1] = rectangle_light {
+        center = { distance * x, distance * y, distance * z }, size = { 0.8, 0.8 },
+        at = { 0, 0, 0 }, radiance = 6, name = "panel",
       }
     end
   end
-  return panels
+  return list
 end
 
 return scene {
   camera = perspective {
-    from = { 0, -8.6, 6.6 }, at = { 0, -0.05, 0.62 }, fov = 17,
+    from = { 0, -8.6, 6.6 }, at = { 0, -0.45, 0.3 }, fov = 27,
     aperture = 0.05, focus = { 0, -0.6, 0.9 },
   },
   lights = {
-    lamps(140, 14),
-    environment { color = { 0.025, 0.03, 0.04 } },
+    spot_light { from = lamp, at = { 0, 0.22, 0.72 }, angle = 5, penumbra = 0.1, intensity = 2300 },
+    panels(60, 14),
+    environment { color = { 0.02, 0.024, 0.03 } },
   },
   objects = {
     at_rest(brilliant(), -90 + param("turn", 6)):material(glass(stone)):name "stone",
-    plane { material = metal { color = { 0.03, 0.035, 0.045 } }, name = "lacquer" },
+    plane { material = matte { color = { 0.55, 0.55, 0.56 } }, name = "ground" },
   },
-  render = { size = { 900, 720 }, samples = 240, max_depth = 24 },
+  render = { size = { 800, 640 }, samples = 192, max_depth = 24 },
 }
