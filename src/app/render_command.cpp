@@ -98,14 +98,12 @@ void warn_about_caustics(transport::Caustics::State state, WarningLog& warnings)
 }
 
 /// Renders under the eyes of the user, who may end it.
-render::Statistics render_watched(const RenderCommand& command, const scene::Scene& scene,
+render::Statistics render_watched(const RenderCommand& command,
+                                  const render::BlockRenderer& renderer,
                                   const description::RenderSettings& settings, film::Film& film,
                                   ThreadPool& pool) {
   const InterruptGuard interrupt;
   const auto display = make_progress_display(command.progress);
-  const render::BlockRenderer renderer(scene, render::sample_settings(settings),
-                                       {film.width(), film.height()}, pool);
-  warn_about_caustics(renderer.caustics().state(), warnings);
   const render::Control control{
       .on_progress = [&](const render::Progress& p) { display->update(state_of(p)); },
       .stop = &interrupt.requested()};
@@ -167,7 +165,6 @@ ExitCode run(const RenderCommand& command) {
   inspect::warn_about_buried_camera(description, scene, warnings);
   statistics.scene = scene.counts();
   statistics.seconds.build = clock.lap();
-  print_warnings(warnings.take());
 
   const film::Film::Settings film_settings{.width = statistics.size.width,
                                            .height = statistics.size.height,
@@ -177,7 +174,12 @@ ExitCode run(const RenderCommand& command) {
   render::check_memory(film_settings);
   film::Film film(film_settings);
   const double cpu_seconds_before = process_cpu_seconds();
-  statistics.render = render_watched(command, scene, description.render, film, pool);
+  const render::BlockRenderer renderer(scene, render::sample_settings(description.render),
+                                       {film.width(), film.height()}, pool);
+  warn_about_caustics(renderer.caustics().state(), warnings);
+  statistics.seconds.photons = clock.lap();
+  print_warnings(warnings.take());
+  statistics.render = render_watched(command, renderer, description.render, film, pool);
   statistics.render_cpu_seconds = process_cpu_seconds() - cpu_seconds_before;
   statistics.samples_per_pixel = film.passes();
   statistics.seconds.render = clock.lap();

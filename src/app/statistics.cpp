@@ -40,7 +40,7 @@ std::string to_json(const RunStatistics& s) {
       {"seconds",
        {{"load", s.seconds.load},
         {"build", s.seconds.build},
-        {"photons", 0.0},
+        {"photons", s.seconds.photons},
         {"render", s.seconds.render},
         {"write", s.seconds.write}}},
       {"cpu_seconds", process_cpu_seconds()},

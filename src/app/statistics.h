@@ -13,6 +13,7 @@ namespace lapidary::app {
 struct PhaseSeconds {
   double load = 0;
   double build = 0;
+  double photons = 0;  ///< of finding out where photons are worth most
   double render = 0;
   double write = 0;
 };

@@ -10,6 +10,9 @@ namespace {
 constexpr double first_radius = 2.5;
 /// Photons of a pass that bring light somewhere, for each pixel.
 constexpr double photons_per_pixel = 0.25;
+/// Where few do: the most that are traced, and that are emitted with those known to miss.
+constexpr double most_traced_per_pixel = 0.75;
+constexpr double most_emitted_per_pixel = 4.0;
 constexpr std::uint32_t most_per_pass = 1u << 24;
 /// Photons traced together by one thread.
 constexpr std::size_t chunk = 1024;
@@ -91,10 +94,13 @@ bool Caustics::learn(ThreadPool& pool) {
     // What it has learned decides how many photons are emitted for those that are wanted.
     constexpr std::uint32_t again = 1u << 14;
     const Yield now = emit(pass++, again, wavelengths, pool);
-    const double useful = std::max(static_cast<double>(now.useful.size()) / again, 1e-3);
+    const double useful = static_cast<double>(now.useful.size()) / again;
+    const double traced = static_cast<double>(now.counters.photons_traced) / again;
+    const double per_pixel = std::min(
+        {photons_per_pixel / useful, most_traced_per_pixel / traced, most_emitted_per_pixel});
     const double pixels = double(settings_.width) * double(settings_.height);
-    photons_per_pass_ = static_cast<std::uint32_t>(
-        std::clamp(photons_per_pixel * pixels / useful, 1024.0, double{most_per_pass}));
+    photons_per_pass_ =
+        static_cast<std::uint32_t>(std::clamp(per_pixel * pixels, 1024.0, double{most_per_pass}));
     return true;
   }
   return false;

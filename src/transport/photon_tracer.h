@@ -26,9 +26,9 @@ class PhotonTracer {
   };
   /// Traces one photon. Appends what it leaves to `left`, at positions from `origin`. What it was
   /// drawn as, unless it was a miss.
-  std::optional<PhotonEmitter::Origin> trace(const Number& number,
-                                             const Wavelengths& wavelengths, Vec3d origin,
-                                             std::vector<Photon>& left, Counters& counters) const;
+  std::optional<PhotonEmitter::Origin> trace(const Number& number, const Wavelengths& wavelengths,
+                                             Vec3d origin, std::vector<Photon>& left,
+                                             Counters& counters) const;
 
  private:
   class Flight;

@@ -12,8 +12,8 @@ namespace {
 using namespace test;
 using transport::CausticMethod;
 
-constexpr int side = 12;         // of the picture, pixels
-constexpr int renders = 12;      // independent ones, by their seeds
+constexpr int side = 12;     // of the picture, pixels
+constexpr int renders = 12;  // independent ones, by their seeds
 constexpr std::uint32_t passes = 64;
 
 /// A lens of this glass over a matte floor, and another ball that only stands by.
@@ -49,8 +49,8 @@ RunningMean brightness(const scene::Scene& scene, CausticMethod method, int dept
 }
 
 /// Photons, paths and both together agree within 4 standard errors of their difference, which a
-/// right renderer misses in 6e-5 of such tests; the caustic itself is at least `share` of the light,
-/// many times what would be noticed.
+/// right renderer misses in 6e-5 of such tests; the caustic itself is at least `share` of the
+/// light, many times what would be noticed.
 void expect_one_picture(const TinyScene& tiny, double share, int depth = 6) {
   const scene::Scene scene = tiny.build();
   const RunningMean paths = brightness(scene, CausticMethod::paths, depth);
@@ -70,8 +70,8 @@ void expect_one_picture(const TinyScene& tiny, double share, int depth = 6) {
 }
 
 TEST(Caustics, OfASphereLight) {
-  expect_one_picture(
-      lens_over_floor(glass(1.5)).add(geometry::Sphere{{0.2, 0, 3}, 0.7}, lamp(5.0)), 0.05);
+  expect_one_picture(lens_over_floor(glass(1.5)).add(geometry::Sphere{{0.2, 0, 3}, 0.7}, lamp(5.0)),
+                     0.05);
 }
 
 TEST(Caustics, OfARectangle) {
@@ -88,9 +88,9 @@ TEST(Caustics, OfADisk) {
 }
 
 TEST(Caustics, OfABox) {
-  expect_one_picture(lens_over_floor(glass(1.5))
-                         .add(geometry::Box{{-0.5, -0.5, 2.8}, {0.6, 0.6, 3.4}}, lamp(5.0)),
-                     0.05);
+  expect_one_picture(
+      lens_over_floor(glass(1.5)).add(geometry::Box{{-0.5, -0.5, 2.8}, {0.6, 0.6, 3.4}}, lamp(5.0)),
+      0.05);
 }
 
 TEST(Caustics, OfACombination) {
@@ -100,9 +100,9 @@ TEST(Caustics, OfACombination) {
     object.content = shape;
     return std::make_shared<const description::Object>(std::move(object));
   };
-  const auto cut = description::combined(
-      description::SetOperation::subtract, solid(geometry::Sphere{{0, 0, 3}, 0.8}),
-      solid(geometry::Box{{-2, -2, 3}, {2, 2, 5}}), {});
+  const auto cut = description::combined(description::SetOperation::subtract,
+                                         solid(geometry::Sphere{{0, 0, 3}, 0.8}),
+                                         solid(geometry::Box{{-2, -2, 3}, {2, 2, 5}}), {});
   tiny.description.objects.push_back(description::with_material(*cut, lamp(5.0)));
   expect_one_picture(tiny, 0.05);
 }
