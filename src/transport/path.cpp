@@ -72,7 +72,7 @@ class Path {
   const SampleContext& context_;
   Ray ray_;
   camera::Cone cone_;                                         ///< of `ray_`
-  texture::Lookup::Care care_ = texture::Lookup::Care::mean;  ///< what it sees deserves
+  texture::Lookup::Care care_ = texture::Lookup::Care::draw;  ///< what it sees deserves
   SampledSpectrum beta_{1.0f};
   SampledSpectrum L_;
   Carried carried_ = Carried::all;
@@ -185,7 +185,7 @@ SampledSpectrum Path::trace(const Ray& camera_ray, FirstSurface& first) {
     cone_.width = cone_.width_at(hit.t);
     const Met met{hit, surface, ray_.direction, cone_.width, care_};
     std::optional<SurfaceLookup> found;
-    if (slot.frame != scene::Slot::no_frame) found = lookup_at(scene_, met);
+    if (slot.frame != scene::Slot::no_frame) found.emplace(scene_, met);
     const SurfaceLookup& lookup = found ? *found : nowhere;
     if (finds_gap(material.detail, lookup.at)) {
       pass_through(surface);
