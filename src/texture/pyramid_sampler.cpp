@@ -104,7 +104,7 @@ class PyramidSampler {
         std::abs(footprint.dx.x * footprint.dy.y - footprint.dx.y * footprint.dy.x) *
         pyramid_.width() * pyramid_.height();
     // Twice as coarse, four times the area; rounded to the nearest.
-    const int level = pixels > 1.0 ? (std::ilogb(pixels) + 1) / 2 : 0;
+    const int level = pixels > 1.0 ? static_cast<int>(0.5 * rough_log2(pixels) + 0.5) : 0;
     const auto last = static_cast<int>(levels.size()) - 1;
     if (wrap_ == Wrap::black && level > last) return look_from_afar(footprint.uv, level - last);
     const auto& nearest = levels[static_cast<std::size_t>(std::min(level, last))];

@@ -15,12 +15,12 @@ Footprint footprint(const Met& met) {
   // Seen from the very side a cone covers no finite piece.
   constexpr double least_cosine = 1e-3;
   const Vec3d n = met.surface.geometric_normal, d = met.direction;
-  const double cosine = dot(n, d);
-  const Vec3d in_plane = d - n * cosine;
-  const double sine = length(in_plane);
-  const Vec3d along = sine > 1e-6 ? in_plane * (1.0 / sine) : Frame::from_normal(n).tangent;
-  return {cross(n, along) * met.width,
-          along * (met.width / std::max(std::abs(cosine), least_cosine))};
+  const double cosine = dot(n, d), sine2 = 1.0 - cosine * cosine;
+  const bool head_on = !(sine2 > 1e-12);
+  const Vec3d in_plane = head_on ? Frame::from_normal(n).tangent : d - n * cosine;
+  const double scale = head_on ? met.width : met.width / std::sqrt(sine2);
+  return {cross(n, in_plane) * scale,
+          in_plane * (scale / std::max(std::abs(cosine), least_cosine))};
 }
 
 /// How far (u, v) go on ways along the surface; nearest in the sense of least squares where a step
