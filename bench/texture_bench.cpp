@@ -55,7 +55,10 @@ void measure(std::string_view key, const Texture::Kind& kind, const std::vector<
   const Wavelengths w = Wavelengths::sample(0.3);
   SampledSpectrum sum;
   const double seconds = bench::best_cpu_seconds(5, [&] {
-    for (const Lookup& lookup : where) sum += color.at(lookup, w);
+    for (const Lookup& lookup : where) {
+      lookup.shown = {};  // or all but the first run would ask for what is known
+      sum += color.at(lookup, w);
+    }
   });
   bench::report(key, seconds * 1e9 / static_cast<double>(where.size()),
                 sum.is_finite() ? "ns" : "-", target);

@@ -101,6 +101,29 @@ def rows_of_lights(build):
     yield "lights.10000.error_ratio", power / hierarchy, "x", ">=5"
 
 
+def rows_of_pictures(build):
+    """What share of the time of rendering a room goes to the large pictures on its walls: against
+    the same room in the colours these have on average, the median of pairs."""
+    scene = Scene("texture", "bench/scenes/pictured_room.lua", (), "-")
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        plain = []
+        for seed, wall in enumerate(("floor", "back", "left", "right")):
+            mean = subprocess.run([build / "write_picture", folder / f"{wall}.png", str(seed)],
+                                  check=True, stdout=subprocess.PIPE, text=True).stdout.strip()
+            plain += ["--set", f"{wall}={mean}"]
+        pictured = ("--set", f"pictures={folder}", "--allow", folder)
+
+        def seconds(options):
+            options = (*options, "--threads", "1")
+            return render(build, dataclasses.replace(scene, options=options),
+                          folder)["render_cpu_seconds"]
+
+        pairs = [(seconds(pictured), seconds(plain)) for _ in range(5)]
+    yield ("texture.room_overhead", statistics.median(1 - b / a for a, b in pairs), "share",
+           "<=0.15")
+
+
 def rows_of_command_line(build):
     def start():
         begin = time.perf_counter()
@@ -159,6 +182,8 @@ def measure(build, wanted):
             yield from rows_of_scene(build, scene)
     if wanted in (None, "lights"):
         yield from rows_of_lights(build)
+    if wanted in (None, "texture"):
+        yield from rows_of_pictures(build)
     if wanted in (None, "cli"):
         yield from rows_of_command_line(build)
 

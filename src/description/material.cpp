@@ -1,53 +1,68 @@
 #include "description/material.h"
 
+#include <algorithm>
+
+#include "texture/texture.h"
+
 namespace lapidary::description {
 namespace {
 
+Variation variation(const texture::TexturePtr* texture) {
+  if (texture == nullptr) return Variation::none;
+  return (*texture)->in_space ? Variation::in_space : Variation::on_surface;
+}
+Variation variation(const texture::Number& number) {
+  return variation(number.texture());
+}
+Variation variation(const texture::Color& color) {
+  return variation(color.texture());
+}
+Variation variation(const bsdf::FinishPtr& finish);
+
 template <typename... Parameters>
-bool any_varies(const Parameters&... parameters) {
-  return (... || (parameters.constant() == nullptr));
+Variation greatest(const Parameters&... parameters) {
+  return std::max({Variation::none, variation(parameters)...});
 }
 
-bool varies(const bsdf::FinishPtr& finish);
-
-bool varies(const bsdf::Matte& m) {
-  return any_varies(m.color, m.roughness);
+Variation variation(const bsdf::Matte& m) {
+  return greatest(m.color, m.roughness);
 }
-bool varies(const bsdf::Metal& m) {
+Variation variation(const bsdf::Metal& m) {
   const auto* color = std::get_if<texture::Color>(&m.surface);
-  return any_varies(m.roughness) || (color != nullptr && any_varies(*color));
+  return std::max(variation(m.roughness), color ? variation(*color) : Variation::none);
 }
-bool varies(const bsdf::Glass& m) {
-  return any_varies(m.roughness);
+Variation variation(const bsdf::Glass& m) {
+  return variation(m.roughness);
 }
-bool varies(const bsdf::Phong& m) {
-  return any_varies(m.diffuse, m.specular, m.exponent);
+Variation variation(const bsdf::Phong& m) {
+  return greatest(m.diffuse, m.specular, m.exponent);
 }
-bool varies(const bsdf::ThinGlass& m) {
-  return any_varies(m.color);
+Variation variation(const bsdf::ThinGlass& m) {
+  return variation(m.color);
 }
-bool varies(const bsdf::Velvet& m) {
-  return any_varies(m.color, m.roughness) || varies(m.base);
+Variation variation(const bsdf::Velvet& m) {
+  return greatest(m.color, m.roughness, m.base);
 }
-bool varies(const bsdf::Coated& m) {
-  return any_varies(m.roughness, m.color) || varies(m.base);
+Variation variation(const bsdf::Coated& m) {
+  return greatest(m.roughness, m.color, m.base);
 }
-bool varies(const bsdf::Blend& m) {
-  return any_varies(m.weight) || varies(m.first) || varies(m.second);
+Variation variation(const bsdf::Blend& m) {
+  return greatest(m.weight, m.first, m.second);
 }
-bool varies(const bsdf::Principled& m) {
-  return any_varies(m.color, m.diffuse_roughness, m.metalness, m.specular, m.specular_color,
-                    m.roughness, m.transmission, m.coat, m.coat_color, m.coat_roughness, m.fuzz,
-                    m.fuzz_color, m.fuzz_roughness);
+Variation variation(const bsdf::Principled& m) {
+  return greatest(m.color, m.diffuse_roughness, m.metalness, m.specular, m.specular_color,
+                  m.roughness, m.transmission, m.coat, m.coat_color, m.coat_roughness, m.fuzz,
+                  m.fuzz_color, m.fuzz_roughness);
 }
-bool varies(const bsdf::Black&) {
-  return false;
+Variation variation(const bsdf::Black&) {
+  return Variation::none;
 }
-bool varies(const Emissive& emissive) {
-  return any_varies(emissive.pattern);
+Variation variation(const Emissive& emissive) {
+  return variation(emissive.pattern);
 }
-bool varies(const bsdf::FinishPtr& finish) {
-  return finish && std::visit([](const auto& kind) { return varies(kind); }, finish->kind);
+Variation variation(const bsdf::FinishPtr& finish) {
+  if (!finish) return Variation::none;
+  return std::visit([](const auto& kind) { return variation(kind); }, finish->kind);
 }
 
 struct FinishOf {
@@ -88,9 +103,15 @@ bsdf::Finish finish_of(const Material& material) {
   return std::visit(FinishOf{}, material.model);
 }
 
-bool is_textured(const Material& material) {
-  if (any_varies(material.detail.opacity) || material.detail.has_relief()) return true;
-  return std::visit([](const auto& model) { return varies(model); }, material.model);
+Variation variation_of(const Material& material) {
+  const SurfaceDetail& detail = material.detail;
+  if (detail.bump) return Variation::in_space;
+  // Normals stand in the frame of the surface's own coordinates, also those that are the same.
+  const Variation normal =
+      detail.normal ? std::max(Variation::on_surface, variation(*detail.normal)) : Variation::none;
+  const Variation model =
+      std::visit([](const auto& kind) { return variation(kind); }, material.model);
+  return std::max({variation(detail.opacity), normal, model});
 }
 
 MaterialPtr default_material() {

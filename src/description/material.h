@@ -80,8 +80,18 @@ inline bool is_thin(const Material& material) {
 /// The surface alone, without what it encloses and what it emits.
 bsdf::Finish finish_of(const Material& material);
 
-/// Whether it is not the same everywhere: some of its parameters are textures.
-bool is_textured(const Material& material);
+/// What a surface differs by from place to place.
+enum class Variation : std::uint8_t {
+  none,
+  on_surface,  ///< by nothing but where it is in the surface's own coordinates
+  in_space,
+};
+Variation variation_of(const Material& material);
+
+/// Whether it is not the same everywhere: some of its parameters are textures, or it has relief.
+inline bool is_textured(const Material& material) {
+  return variation_of(material) != Variation::none;
+}
 
 /// What an object wears that was given nothing: light grey, matte.
 MaterialPtr default_material();

@@ -76,7 +76,8 @@ PreparedMaterial prepare_material(const description::Material& material) {
   const auto* emissive = std::get_if<description::Emissive>(&material.model);
   const texture::Color albedo = emissive ? albedo_of(*emissive) : Albedo::of(finish);
   const texture::Color pattern = emissive ? emissive->pattern : white();
-  return {std::move(finish), albedo, material.detail, pattern};
+  return {std::move(finish), albedo, material.detail, pattern,
+          description::variation_of(material) == description::Variation::in_space};
 }
 
 }  // namespace lapidary::scene

@@ -24,6 +24,7 @@ struct PreparedMaterial {
   texture::Color albedo;  ///< what it reflects or lets through, for the albedo layer
   bsdf::SurfaceDetail detail;
   texture::Color pattern;  ///< of a light source: multiplies what it emits
+  bool in_space = false;   ///< its textures ask for more than the surface's own coordinates
 };
 
 /// What one part of an object wears: an object has one slot, a mesh with several materials one for

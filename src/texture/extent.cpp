@@ -9,11 +9,13 @@ namespace {
 struct Inputs {
   int depth = 0;
   double looks = 0;
+  bool in_space = false;
 
   void add(const TexturePtr& texture) {
     const Extent extent = texture->extent;
     depth = std::max(depth, extent.depth);
     looks += extent.looks;
+    in_space |= texture->in_space;
   }
   void add(const Color& color) {
     if (const TexturePtr* texture = color.texture()) add(*texture);
@@ -57,11 +59,25 @@ struct Inputs {
   }
 };
 
+template <typename Kind>
+bool is_in_space(const Kind& kind) {
+  if constexpr (requires { kind.mapping; }) {
+    return kind.mapping.projection != Projection::uv;
+  } else {
+    return false;
+  }
+}
+
 }  // namespace
 
 Texture::Texture(Kind k) : kind(std::move(k)) {
   Inputs inputs;
-  std::visit([&](const auto& known) { inputs.of(known); }, kind);
+  std::visit(
+      [&](const auto& known) {
+        inputs.of(known);
+        in_space = inputs.in_space || is_in_space(known);
+      },
+      kind);
   extent = {inputs.depth + 1, inputs.looks + 1.0};
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "math/vec.h"
+#include "spectrum/rgb.h"
 
 namespace lapidary::texture {
 
@@ -13,10 +14,20 @@ namespace lapidary::texture {
 /// parallelogram p + a dpdx + b dpdy, |a| and |b| <= 1/2, in the plane of the surface; all zero
 /// means a point. `duvdx` and `duvdy` are what it makes of the surface's own coordinates.
 ///
-/// A glance at a picture takes one look at a size of about the footprint's instead of the mean over
-/// it: right on average, and enough where what is seen is scattered before anyone sees it.
+/// Less care than for the mean of a picture over the footprint is right on average. To draw is to
+/// take one of the looks that the mean is made of: enough where many samples, each somewhere else,
+/// make a pixel. A glance takes one at a size of about the footprint's, without regard to its
+/// shape: enough where what is seen is scattered before anyone sees it.
 struct Lookup {
-  enum class Care : std::uint8_t { mean, glance };
+  enum class Care : std::uint8_t { mean, draw, glance };
+
+  /// What a picture showed, for whoever asks the same again: the layers of the first surface do.
+  struct Shown {
+    const void* picture = nullptr;
+    Vec2d uv;
+    Care care = Care::mean;
+    Rgb color;
+  };
 
   Vec3d p;
   Vec3d normal;  ///< geometric, unit length, in the same coordinates
@@ -24,6 +35,7 @@ struct Lookup {
   Vec2d uv;
   Vec2d duvdx, duvdy;
   Care care = Care::mean;
+  mutable Shown shown;  ///< last; changes no result, and belongs to one thread as the lookup does
 };
 
 }  // namespace lapidary::texture

@@ -20,7 +20,8 @@ Lookup inside(const Moved& moved, const Lookup& lookup) {
           {uv.x, uv.y},
           flat_vector(lookup.duvdx),
           flat_vector(lookup.duvdy),
-          lookup.care};
+          lookup.care,
+          {}};
 }
 
 double value(const Moved& moved, const Lookup& lookup) {

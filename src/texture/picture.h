@@ -16,15 +16,30 @@ struct Picture {
   Mapping mapping{Projection::uv};
 };
 
+/// What the picture shows at the footprint to a look of this care.
+inline Rgb shown(const Picture& picture, const UvFootprint& footprint, Lookup::Care care) {
+  switch (care) {
+    case Lookup::Care::draw:
+      return picture.pyramid->draw(footprint, picture.wrap, picture.filter);
+    case Lookup::Care::glance:
+      return picture.pyramid->glance(footprint, picture.wrap, picture.filter);
+    case Lookup::Care::mean:
+      break;
+  }
+  return picture.pyramid->mean(footprint, picture.wrap, picture.filter);
+}
+
 template <typename Palette>
 typename Palette::Value color(const Picture& picture, const Palette& palette,
                               const Lookup& lookup) {
   const auto flat = [](Vec3d v) { return Vec2d{v.x, v.y}; };
   return palette.of(mapped(picture.mapping, lookup, [&](const Place& place) {
     const UvFootprint footprint{flat(place.p), flat(place.dx), flat(place.dy)};
-    return lookup.care == Lookup::Care::glance
-               ? picture.pyramid->glance(footprint, picture.wrap, picture.filter)
-               : picture.pyramid->mean(footprint, picture.wrap, picture.filter);
+    Lookup::Shown& last = lookup.shown;
+    if (last.picture != &picture || last.uv != footprint.uv || last.care != lookup.care) {
+      last = {&picture, footprint.uv, lookup.care, shown(picture, footprint, lookup.care)};
+    }
+    return last.color;
   }));
 }
 

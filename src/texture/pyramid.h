@@ -36,6 +36,11 @@ class Pyramid {
   /// Source: Williams 1983, "Pyramidal Parametrics"; uv_footprint.h.
   Rgb mean(const UvFootprint& footprint, Wrap wrap, Filter filter) const;
 
+  /// One look somewhere in the footprint at the size of its width; where and at which pixel is
+  /// drawn by the last digits of `uv`. Over many places that differ a little it has the mean of
+  /// `mean`, about.
+  Rgb draw(const UvFootprint& footprint, Wrap wrap, Filter filter) const;
+
   /// One look at the size whose pixels are nearest to the footprint in area. Has the mean of
   /// `mean` where the footprint moves over the whole picture.
   Rgb glance(const UvFootprint& footprint, Wrap wrap, Filter filter) const;

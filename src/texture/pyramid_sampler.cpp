@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 
 #include <immintrin.h>
 
@@ -15,8 +17,9 @@ struct FetchByteRgb {
   const std::uint8_t* codes;
   const float* values;
   Vector operator()(std::size_t i) const {
-    const std::uint8_t* c = codes + 3 * i;
-    return Vector{values[c[0]], values[c[1]], values[c[2]], 0};
+    std::uint32_t c;
+    std::memcpy(&c, codes + 3 * i, sizeof c);
+    return Vector{values[c & 255], values[c >> 8 & 255], values[c >> 16 & 255], 0};
   }
 };
 struct FetchByte {
@@ -44,6 +47,29 @@ Rgb to_rgb(Vector v) {
 Rgb to_rgb(float v) {
   return {v, v, v};
 }
+/// Numbers in [0, 1) that look like chance, of the last digits of a place.
+class Digits {
+ public:
+  explicit Digits(Vec2d uv) {
+    const auto x = std::bit_cast<std::uint64_t>(uv.x), y = std::bit_cast<std::uint64_t>(uv.y);
+    bits_ = x * 0x9E3779B97F4A7C15u + y * 0xC2B2AE3D27D4EB4Fu;
+    bits_ = (bits_ ^ (bits_ >> 32)) * 0xD6E8FEB86659FD93u;
+    bits_ ^= bits_ >> 32;
+  }
+  /// One of four.
+  double number(int i) const { return static_cast<double>(bits_ >> (16 * i) & 0xFFFF) * 0x1p-16; }
+
+ private:
+  std::uint64_t bits_;
+};
+
+/// Exact at powers of 2, and straight lines between them. Precondition: positive.
+double rough_log2(double x) {
+  constexpr std::uint64_t one = std::bit_cast<std::uint64_t>(1.0);
+  return static_cast<double>(static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(x) - one)) *
+         0x1p-52;
+}
+
 /// `u` where the picture or its nearest edge is: in [-1, 2].
 double folded(double u, Wrap wrap) {
   switch (wrap) {
@@ -78,11 +104,21 @@ class PyramidSampler {
         std::abs(footprint.dx.x * footprint.dy.y - footprint.dx.y * footprint.dy.x) *
         pyramid_.width() * pyramid_.height();
     // Twice as coarse, four times the area; rounded to the nearest.
-    const int level = pixels > 1.0 ? (std::ilogb(pixels) + 1) / 2 : 0;
+    const int level = pixels > 1.0 ? static_cast<int>(0.5 * rough_log2(pixels) + 0.5) : 0;
     const auto last = static_cast<int>(levels.size()) - 1;
     if (wrap_ == Wrap::black && level > last) return look_from_afar(footprint.uv, level - last);
-    return at(levels[static_cast<std::size_t>(std::min(level, last))],
-              folded(footprint.uv.x, wrap_), folded(footprint.uv.y, wrap_));
+    const auto& nearest = levels[static_cast<std::size_t>(std::min(level, last))];
+    return texel_near(nearest, footprint.uv, Digits(footprint.uv));
+  }
+
+  Value draw(const UvFootprint& footprint) const {
+    const Streak streak = streak_of(footprint, pyramid_.width(), pyramid_.height(), filter_);
+    const Digits digits(footprint.uv);
+    const Vec2d uv = footprint.uv + streak.way * (digits.number(0) - 0.5);
+    const double level = std::floor(0.5 * rough_log2(streak.size_squared) + digits.number(1));
+    const auto last = static_cast<double>(pyramid_.levels_.size() - 1);
+    if (level == 0.0 || level > last) return look(uv, level);
+    return texel_near(pyramid_.levels_[static_cast<std::size_t>(level)], uv, digits);
   }
 
   Value mean(const UvFootprint& footprint) const {
@@ -128,9 +164,29 @@ class PyramidSampler {
     const double left = std::floor(x), above = std::floor(y);
     const auto tx = static_cast<float>(x - left), ty = static_cast<float>(y - above);
     const int i = static_cast<int>(left), j = static_cast<int>(above);
-    const Value upper = texel(level, i, j) * (1.0f - tx) + texel(level, i + 1, j) * tx;
-    const Value lower = texel(level, i, j + 1) * (1.0f - tx) + texel(level, i + 1, j + 1) * tx;
-    return upper * (1.0f - ty) + lower * ty;
+    const auto between = [&](Value a, Value b, Value c, Value d) {
+      return (a + (b - a) * tx) * (1.0f - ty) + (c + (d - c) * tx) * ty;
+    };
+    if (i >= 0 && j >= 0 && i + 1 < level.width && j + 1 < level.height) {
+      const auto row = static_cast<std::size_t>(level.width);
+      const std::size_t first =
+          level.first + static_cast<std::size_t>(j) * row + static_cast<std::size_t>(i);
+      return between(fetch_(first), fetch_(first + 1), fetch_(first + row),
+                     fetch_(first + row + 1));
+    }
+    return between(texel(level, i, j), texel(level, i + 1, j), texel(level, i, j + 1),
+                   texel(level, i + 1, j + 1));
+  }
+
+  /// One of the pixels that `at` is made of, each as often as it has weight there.
+  Value texel_near(const Pyramid::Level& level, Vec2d uv, const Digits& digits) const {
+    const bool smooth = filter_ == Filter::smooth;
+    const double dx = smooth ? digits.number(2) - 0.5 : 0.0;
+    const double dy = smooth ? digits.number(3) - 0.5 : 0.0;
+    const double x = folded(uv.x, wrap_) * level.width + dx;
+    const double y = folded(uv.y, wrap_) * level.height + dy;
+    return texel(level, static_cast<int>(std::floor(x)),
+                 level.height - 1 - static_cast<int>(std::floor(y)));
   }
 
   /// Precondition: at most one picture away.
@@ -178,6 +234,11 @@ auto with_sampler(const Pyramid& pyramid, const Texels& texels, Wrap wrap, Filte
 Rgb Pyramid::mean(const UvFootprint& footprint, Wrap wrap, Filter filter) const {
   return with_sampler(*this, texels_, wrap, filter,
                       [&](const auto& sampler) { return to_rgb(sampler.mean(footprint)); });
+}
+
+Rgb Pyramid::draw(const UvFootprint& footprint, Wrap wrap, Filter filter) const {
+  return with_sampler(*this, texels_, wrap, filter,
+                      [&](const auto& sampler) { return to_rgb(sampler.draw(footprint)); });
 }
 
 Rgb Pyramid::glance(const UvFootprint& footprint, Wrap wrap, Filter filter) const {

@@ -37,6 +37,7 @@ struct Texture {
                             Voronoi, Grid, Bricks, Arithmetic, Mix, ChannelOf, Remap>;
   Kind kind;
   Extent extent;
+  bool in_space = false;  ///< it asks for more than the surface's own coordinates
 
   Texture(Kind k);  // NOLINT: a kind is one
 };

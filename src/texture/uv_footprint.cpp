@@ -22,12 +22,16 @@ struct Axes {
   }
 };
 
-Axes axes_of(const UvFootprint& footprint, double width, double height) {
-  // Beyond, everything is the mean of the picture, and squares stay far from overflow.
+/// In pixels of the largest size. Beyond a million pictures everything is their mean, and squares
+/// stay far from overflow.
+Vec2d in_pixels(Vec2d step, double width, double height) {
   constexpr double most = 1e6;
-  const auto part = [&](double d) { return std::clamp(d, -most, most); };
-  const Vec2d a{part(footprint.dx.x) * width, part(footprint.dx.y) * height};
-  const Vec2d b{part(footprint.dy.x) * width, part(footprint.dy.y) * height};
+  return {std::clamp(step.x, -most, most) * width, std::clamp(step.y, -most, most) * height};
+}
+
+Axes axes_of(const UvFootprint& footprint, double width, double height) {
+  const Vec2d a = in_pixels(footprint.dx, width, height);
+  const Vec2d b = in_pixels(footprint.dy, width, height);
   const double xx = a.x * a.x + b.x * b.x, yy = a.y * a.y + b.y * b.y;
   Axes axes;
   axes.difference = 0.5 * (xx - yy);
@@ -37,6 +41,9 @@ Axes axes_of(const UvFootprint& footprint, double width, double height) {
   axes.minor2 = std::max(0.0, 0.5 * (xx + yy) - axes.root);
   return axes;
 }
+
+/// How many times as long as wide a footprint may be.
+constexpr double most = 32;
 
 /// The size s of the pixels, in those of the first picture, with which a look averages like a box
 /// of width m, both as squares.
@@ -50,7 +57,6 @@ double pixel_size_squared(double m2, Filter filter) {
 }  // namespace
 
 Probes probes_of(const UvFootprint& footprint, double width, double height, Filter filter) {
-  constexpr double most = 32;
   const Axes axes = axes_of(footprint, width, height);
   const double minor2 = std::max(axes.minor2, axes.major2 / (most * most));
   const double s2 = pixel_size_squared(minor2, filter);
@@ -67,6 +73,19 @@ Probes probes_of(const UvFootprint& footprint, double width, double height, Filt
   probes.count = static_cast<int>(count);
   probes.step = {direction.x * step / width, direction.y * step / height};
   return probes;
+}
+
+Streak streak_of(const UvFootprint& footprint, double width, double height, Filter filter) {
+  const Vec2d a = in_pixels(footprint.dx, width, height);
+  const Vec2d b = in_pixels(footprint.dy, width, height);
+  const double aa = a.x * a.x + a.y * a.y, bb = b.x * b.x + b.y * b.y;
+  const double major2 = std::max(aa, bb), area = a.x * b.y - a.y * b.x;
+  if (!(major2 > 0.0)) return {};
+  const double ratio2 = std::max(area * area / (major2 * major2), 1.0 / (most * most));
+  // The rest of the spread along the axis is that of the pixels.
+  const Vec2d longer = aa > bb ? footprint.dx : footprint.dy;
+  return {pixel_size_squared(major2 * ratio2, filter),
+          longer * std::sqrt(std::max(0.0, 1.0 - ratio2))};
 }
 
 }  // namespace lapidary::texture

@@ -29,4 +29,15 @@ struct Probes {
 /// Source: McCormack et al. 1999, "Feline: Fast Elliptical Lines for Anisotropic Texture Mapping".
 Probes probes_of(const UvFootprint& footprint, double width, double height, Filter filter);
 
+/// What one look, drawn from all that cover a footprint, has to know: it is anywhere on `way`,
+/// whose middle is the footprint's, at a picture with pixels about as large as `size_squared` says.
+struct Streak {
+  double size_squared = 1;
+  Vec2d way;
+};
+
+/// Takes the longer side of the footprint for its longer axis, which it is where the sides are at
+/// right angles. The limits are those of `probes_of`.
+Streak streak_of(const UvFootprint& footprint, double width, double height, Filter filter);
+
 }  // namespace lapidary::texture

@@ -15,24 +15,32 @@ Footprint footprint(const Met& met) {
   // Seen from the very side a cone covers no finite piece.
   constexpr double least_cosine = 1e-3;
   const Vec3d n = met.surface.geometric_normal, d = met.direction;
-  const double cosine = dot(n, d);
-  const Vec3d in_plane = d - n * cosine;
-  const double sine = length(in_plane);
-  const Vec3d along = sine > 1e-6 ? in_plane / sine : Frame::from_normal(n).tangent;
-  return {cross(n, along) * met.width,
-          along * (met.width / std::max(std::abs(cosine), least_cosine))};
+  const double cosine = dot(n, d), sine2 = 1.0 - cosine * cosine;
+  const bool head_on = !(sine2 > 1e-12);
+  const Vec3d in_plane = head_on ? Frame::from_normal(n).tangent : d - n * cosine;
+  const double scale = head_on ? met.width : met.width / std::sqrt(sine2);
+  return {cross(n, in_plane) * scale,
+          in_plane * (scale / std::max(std::abs(cosine), least_cosine))};
 }
 
-/// How far (u, v) go on the way `step` along the surface; nearest in the sense of least squares
-/// where the step leaves the plane of dpdu and dpdv.
-Vec2d uv_step(const geometry::SurfaceUv& at, Vec3d step) {
-  const double uu = dot(at.dpdu, at.dpdu), vv = dot(at.dpdv, at.dpdv), uv = dot(at.dpdu, at.dpdv);
-  const double u = dot(at.dpdu, step), v = dot(at.dpdv, step);
-  const double determinant = uu * vv - uv * uv;
-  // A pole, or a chart that is folded flat: any direction is as good as another.
-  if (!(determinant > 1e-14 * uu * vv)) return {};
-  return {(vv * u - uv * v) / determinant, (uu * v - uv * u) / determinant};
-}
+/// How far (u, v) go on ways along the surface; nearest in the sense of least squares where a step
+/// leaves the plane of dpdu and dpdv.
+class UvSteps {
+ public:
+  explicit UvSteps(const geometry::SurfaceUv& at) {
+    const double uu = dot(at.dpdu, at.dpdu), vv = dot(at.dpdv, at.dpdv), uv = dot(at.dpdu, at.dpdv);
+    const double determinant = uu * vv - uv * uv;
+    // A pole, or a chart that is folded flat: any direction is as good as another.
+    if (!(determinant > 1e-14 * uu * vv)) return;
+    const double scale = 1.0 / determinant;
+    u_ = (at.dpdu * vv - at.dpdv * uv) * scale;
+    v_ = (at.dpdv * uu - at.dpdu * uv) * scale;
+  }
+  Vec2d along(Vec3d step) const { return {dot(u_, step), dot(v_, step)}; }
+
+ private:
+  Vec3d u_, v_;  ///< gradients
+};
 
 /// A piece of a surface on its way from one space to another.
 struct Piece {
@@ -67,26 +75,35 @@ Piece in_base(const scene::Scene& scene, const Met& met, scene::TextureFrame::Ba
   return own.mapped(place.space.world_from_own());  // where it was when the frame began
 }
 
+/// What a lookup knows besides the surface's own coordinates.
+void place_in_space(const scene::Scene& scene, const Met& met, const scene::TextureFrame& frame,
+                    SurfaceLookup& lookup) {
+  const Piece in_world{met.surface.p, met.surface.geometric_normal, lookup.dpdx, lookup.dpdy};
+  const Piece worn = in_base(scene, met, frame.base, in_world).mapped(frame.wearer_from_base);
+  lookup.at.p = worn.p;
+  lookup.at.normal = normalize(worn.normal);
+  lookup.at.dpdx = worn.across;
+  lookup.at.dpdy = worn.along;
+}
+
 }  // namespace
 
-SurfaceLookup lookup_at(const scene::Scene& scene, const Met& met) {
-  const std::uint32_t number = scene.slot(met.hit).frame;
-  if (number == scene::Slot::no_frame) return {};
-  const scene::TextureFrame& frame = scene.texture_frame(number);
+SurfaceLookup::SurfaceLookup(const scene::Scene& scene, const Met& met) {
+  const scene::Slot& slot = scene.slot(met.hit);
+  if (slot.frame == scene::Slot::no_frame) return;
   const Footprint world = footprint(met);
-  const geometry::SurfaceUv at = scene.world().surface_uv(met.hit, met.surface);
-  const Piece in_world{met.surface.p, met.surface.geometric_normal, world.across, world.along};
-  const Piece worn = in_base(scene, met, frame.base, in_world).mapped(frame.wearer_from_base);
-  texture::Lookup lookup;
-  lookup.p = worn.p;
-  lookup.normal = normalize(worn.normal);
-  lookup.dpdx = worn.across;
-  lookup.dpdy = worn.along;
-  lookup.care = met.care;
-  lookup.uv = at.uv;
-  lookup.duvdx = uv_step(at, world.across);
-  lookup.duvdy = uv_step(at, world.along);
-  return {lookup, world.across, world.along, at.dpdu, at.dpdv};
+  const geometry::SurfaceUv own = scene.world().surface_uv(met.hit, met.surface);
+  const UvSteps steps(own);
+  at.uv = own.uv;
+  at.duvdx = steps.along(world.across);
+  at.duvdy = steps.along(world.along);
+  at.care = met.care;
+  dpdx = world.across;
+  dpdy = world.along;
+  dpdu = own.dpdu;
+  dpdv = own.dpdv;
+  if (scene.material(slot).in_space)
+    place_in_space(scene, met, scene.texture_frame(slot.frame), *this);
 }
 
 }  // namespace lapidary::transport

@@ -19,9 +19,12 @@ struct SurfaceLookup {
   texture::Lookup at;
   Vec3d dpdx, dpdy;  ///< of `at`, in the world
   Vec3d dpdu, dpdv;  ///< in the world
-};
 
-/// Nothing is looked up where the slot of what was met has no frame.
-SurfaceLookup lookup_at(const scene::Scene& scene, const Met& met);
+  /// For what is the same everywhere.
+  SurfaceLookup() = default;
+  /// Of `at` nothing is known where the slot of what was met has no frame, and only what regards
+  /// the surface's own coordinates where its textures ask for nothing else.
+  SurfaceLookup(const scene::Scene& scene, const Met& met);
+};
 
 }  // namespace lapidary::transport

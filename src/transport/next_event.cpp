@@ -44,7 +44,7 @@ NextEvent::NextEvent(const scene::Scene& scene)
 
 SampledSpectrum pattern_at(const scene::Scene& scene, const scene::PreparedMaterial& material,
                            const Met& met, const Wavelengths& wavelengths) {
-  const SampledSpectrum factor = material.pattern.at(lookup_at(scene, met).at, wavelengths);
+  const SampledSpectrum factor = material.pattern.at(SurfaceLookup(scene, met).at, wavelengths);
   return max(factor, SampledSpectrum());
 }
 

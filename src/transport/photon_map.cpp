@@ -63,8 +63,11 @@ PhotonMap::PhotonMap(std::vector<Photon> photons, Vec3d origin, Radii radii)
     high_ = lapidary::max(high_, photon.position);
   }
   // A ball reaches over at most two cells that are as wide as itself along each axis.
-  const double widest = static_cast<double>(max_component(high_ - low_));
-  cell_ = std::max(ball * radii.smallest, widest / (most_cells - 2));
+  cell_ = ball * radii.smallest;
+  // Photons that flew off over a floor without end share the outermost cells: the others must not
+  // suffer from them.
+  const auto half = static_cast<float>(0.5 * most_cells * cell_);
+  corner_ = Vec3d(lapidary::max(low_, Vec3f(-half, -half, -half)));
   const std::vector<std::uint64_t> codes = sort();
   double side = cell_;
   for (unsigned level = 0;; ++level, side *= 2.0) {
@@ -80,7 +83,7 @@ std::size_t PhotonMap::bytes() const {
 }
 
 PhotonMap::Cell PhotonMap::cell_of(Vec3f position) const {
-  const Vec3d from = Vec3d(position) - Vec3d(low_);
+  const Vec3d from = Vec3d(position) - corner_;
   const auto along = [&](double x) {
     return static_cast<std::uint32_t>(std::clamp(x / cell_, 0.0, double{most_cells - 1}));
   };

@@ -47,7 +47,9 @@ Vec3d from_picture(const texture::Color& picture, Vec3d n, const SurfaceLookup& 
 }  // namespace
 
 Vec3d relief_normal(const bsdf::SurfaceDetail& detail, const geometry::Surface& surface,
-                    const SurfaceLookup& lookup, Vec3d direction) {
+                    const SurfaceLookup& seen, Vec3d direction) {
+  SurfaceLookup lookup = seen;
+  lookup.at.care = Lookup::Care::mean;  // differences between draws would be of chance
   Vec3d n = surface.shading_normal;
   if (detail.normal) n = from_picture(*detail.normal, n, lookup);
   if (detail.bump) {

@@ -42,7 +42,8 @@ Sight look(const scene::Scene& scene, geometry::Ray ray, camera::Cone cone, Coun
     if (!detail.has_gaps()) return sight;
     const geometry::Surface surface = scene.world().surface(sight.ray, hit);
     const double width = cone.width_at(sight.passed + hit.t);
-    const double there = opacity(detail, lookup_at(scene, {hit, surface, ray.direction, width}).at);
+    const double there =
+        opacity(detail, SurfaceLookup(scene, {hit, surface, ray.direction, width}).at);
     if (there == 1.0) return sight;
     sight.share *= 1.0 - there;
     const double before = sight.passed + hit.t;

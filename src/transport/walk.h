@@ -67,7 +67,7 @@ class Walk {
   SurfaceLookup lookup_;  ///< of textured surfaces
   SampledSpectrum transmittance_{1.0f};
   bool went_through_glass_ = false;
-  texture::Lookup::Care care_ = texture::Lookup::Care::mean;  ///< what it sees deserves
+  texture::Lookup::Care care_ = texture::Lookup::Care::draw;  ///< what it sees deserves
   bsdf::Carried carried_ = bsdf::Carried::all;
   MeshStack inside_;
   std::optional<double> presence_;  ///< decides about gaps before the next vertex

@@ -130,6 +130,50 @@ TEST(Pyramid, GlancesHaveTheMeanOfThePicture) {
   }
 }
 
+/// Draws at places that differ by next to nothing.
+double mean_of_draws(const Pyramid& pyramid, const UvFootprint& f, Filter filter, Random& random) {
+  double sum = 0;
+  constexpr int draws = 4096;
+  for (int i = 0; i < draws; ++i) {
+    const Vec2d near{random.uniform(0, 1e-6), random.uniform(0, 1e-6)};
+    const UvFootprint there{f.uv + near, f.dx, f.dy};
+    sum += static_cast<double>(pyramid.draw(there, Wrap::repeat, filter).g) / draws;
+  }
+  return sum;
+}
+
+TEST(Pyramid, DrawsHaveTheMeanOverTheFootprint) {
+  const Image picture = natural_picture();
+  const Pyramid pyramid(picture);
+  Random random(8);
+  for (const Filter filter : filters) {
+    double sum = 0;
+    constexpr int footprints = 100;
+    for (int i = 0; i < footprints; ++i) {
+      const double minor = std::exp2(random.uniform(0, 5));
+      const double major = minor * std::exp2(random.uniform(0, 5));
+      const UvFootprint footprint = random_footprint(major, minor, random);
+      const double exact = brute_force_mean(picture, footprint, Wrap::repeat, 64);
+      const double found = mean_of_draws(pyramid, footprint, filter, random);
+      sum += (found - exact) * (found - exact) / (exact * exact) / footprints;
+    }
+    EXPECT_LT(sum, 2e-4);
+  }
+}
+
+// From near, what is between pixels is no matter of chance.
+TEST(Pyramid, DrawsOfPointsAreTheirMeans) {
+  const Pyramid pyramid(noisy_picture(64, 64, 3, 9));
+  Random random(10);
+  for (int i = 0; i < 1000; ++i) {
+    const UvFootprint point{{random.uniform(-2, 2), random.uniform(-2, 2)}, {}, {}};
+    for (const Filter filter : filters) {
+      EXPECT_EQ(pyramid.draw(point, Wrap::mirror, filter),
+                pyramid.mean(point, Wrap::mirror, filter));
+    }
+  }
+}
+
 TEST(Pyramid, AVeryLongFootprintIsNotSmearedAcross) {
   // Rows of light and dark, seen along them: what widens a footprint mixes them.
   Image stripes(256, 256, 1);

@@ -26,7 +26,7 @@ Found look(const scene::Scene& scene, const geometry::Ray& r, double width = 0.0
   const geometry::Hit hit = scene.world().nearest(r);
   EXPECT_NE(hit.kind, geometry::SurfaceKind::none);
   const geometry::Surface surface = scene.world().surface(r, hit);
-  return {surface, transport::lookup_at(scene, {hit, surface, r.direction, width})};
+  return {surface, transport::SurfaceLookup(scene, {hit, surface, r.direction, width})};
 }
 
 void expect_near(Vec3d a, Vec3d b, double tolerance = 1e-12) {

@@ -1,7 +1,10 @@
 #include "transport/relief.h"
 
+#include <random>
+
 #include <gtest/gtest.h>
 
+#include "texture/texture.h"
 #include "transport/probe.h"
 
 namespace lapidary::test {
@@ -53,6 +56,26 @@ TEST(Relief, IsNeverSeenFromBehind) {
   const Vec3d n = Ground().normal(detail, grazing);
   EXPECT_LT(dot(n, grazing), 0.0);
   EXPECT_NEAR(length(n), 1.0, 1e-12);
+}
+
+// With how little care the colour is looked at makes no slopes.
+TEST(Relief, OfPicturesIsNoMatterOfChance) {
+  image::Image grain(64, 64, 1);
+  std::mt19937 random(4);
+  for (float& v : grain.pixels) v = static_cast<float>(random() >> 24) / 255.0f;
+  const texture::Picture picture{std::make_shared<const texture::Pyramid>(grain)};
+  bsdf::SurfaceDetail detail;
+  detail.bump = texture::Number(std::make_shared<const texture::Texture>(picture));
+  Ground ground;
+  ground.lookup.at.uv = {0.34, 0.61};
+  ground.lookup.at.duvdx = {0.08, 0};
+  ground.lookup.at.duvdy = {0, 0.04};
+  const Vec3d mean = ground.normal(detail);
+  EXPECT_NE(mean, up);
+  for (const auto care : {texture::Lookup::Care::draw, texture::Lookup::Care::glance}) {
+    ground.lookup.at.care = care;
+    EXPECT_EQ(ground.normal(detail), mean);
+  }
 }
 
 TEST(Relief, OfConstantHeightIsNone) {
