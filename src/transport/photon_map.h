@@ -74,8 +74,9 @@ class PhotonMap {
   std::vector<Photon> photons_;
   Vec3d origin_;
   Radii radii_;
-  Vec3f low_, high_;           ///< around all photons
-  double cell_ = 1;            ///< side of the smallest cells
+  Vec3f low_, high_;  ///< around all photons
+  Vec3d corner_;      ///< of the first cell; what lies beyond the last ones counts as in them
+  double cell_ = 1;   ///< side of the smallest cells
   std::vector<Level> levels_;  ///< of sides cell_, 2 cell_, 4 cell_, ...
 };
 
