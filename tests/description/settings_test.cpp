@@ -61,8 +61,7 @@ TEST(RenderOverride, RefusesAsTheSceneDoes) {
   EXPECT_THAT(error_of("size", "12"), HasSubstr("{width, height} or \"960x540\", not 12"));
   EXPECT_THAT(error_of("size", "1e9x2"), HasSubstr("{width, height}"));
   EXPECT_THAT(error_of("size", "99999999999999999999x2"), HasSubstr("{width, height}"));
-  EXPECT_THAT(error_of("caustics", "photons"),
-              HasSubstr("caustics by photons are not in this version"));
+  EXPECT_THAT(error_of("caustics", "photon"), HasSubstr("did you mean 'photons'?"));
   EXPECT_THAT(error_of("integrator", "pathh"), HasSubstr("did you mean 'path'?"));
   EXPECT_THAT(error_of("seed", "-1"), HasSubstr("must be from 0"));
 }
