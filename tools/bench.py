@@ -101,6 +101,57 @@ def rows_of_lights(build):
     yield "lights.10000.error_ratio", power / hierarchy, "x", ">=5"
 
 
+def rows_of_caustics(build):
+    """The error of caustics at equal processor time, against pictures of many more samples whose
+    own error is the first row of each scene. For a quarter of an hour: only by its name.
+
+    Errors leave out the worst 0.1 % of the pixels; "caustic" is the region that holds it."""
+    scenes = {"lens": ("bench/scenes/lens.lua", "110,140,150,105", ((5, "-", "-"),
+                       (25, "<=1e-4", "<=1e-3"), (100, "<=3e-5", "<=3e-4"))),
+              "cornell": ("bench/scenes/cornell_glass.lua", "150,190,85,50",
+                          ((10, "<=0.0057", "-"), (35, "<=0.0021", "-")))}
+    for name, (file, region, budgets) in scenes.items():
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+
+            def picture(out, method, samples, seed):
+                options = ("--samples", str(samples), "--seed", str(seed),
+                           "--render", f"caustics={method}")
+                stats = render(build, Scene(name, file, options, "-"), folder)
+                (folder / "out.exr").rename(folder / out)
+                return stats["cpu_seconds"] / samples
+
+            def compared(a, b, *options):
+                text = subprocess.run([build / "lapidary", "compare", folder / a, folder / b,
+                                       *options], check=True, stdout=subprocess.PIPE,
+                                      text=True).stdout
+                return float(text.split()[1])
+
+            def errors(a, b):
+                trim = ("--trim", "0.001")
+                return compared(a, b, *trim), compared(a, b, *trim, "--crop", region)
+
+            rate = picture("probe.exr", "auto", 16, 1)
+            many = round(4 * budgets[-1][0] / rate)
+            picture("reference.exr", "auto", many, 101)
+            picture("half.exr", "auto", many, 102)
+            whole, caustic = errors("half.exr", "reference.exr")
+            yield f"caustics.{name}.reference.whole", 0.5 * whole, "rel", "-"
+            yield f"caustics.{name}.reference.caustic", 0.5 * caustic, "rel", "-"
+            for seconds, whole_target, caustic_target in budgets:
+                for method in ("auto", "photons", "paths"):
+                    rate = picture("probe.exr", method, 16, 1)
+                    picture("out2.exr", method, max(1, round(seconds / rate)), 1)
+                    whole, caustic = errors("out2.exr", "reference.exr")
+                    key = f"caustics.{name}.{seconds}s.{method}"
+                    is_auto = method == "auto"
+                    yield f"{key}.whole", whole, "rel", whole_target if is_auto else "-"
+                    yield f"{key}.caustic", caustic, "rel", caustic_target if is_auto else "-"
+                    energy = compared("out2.exr", "reference.exr", "--metric", "energy", "--crop",
+                                      region)
+                    yield f"{key}.energy", energy, "1", "-"
+
+
 def rows_of_pictures(build):
     """What share of the time of rendering a room goes to the large pictures on its walls: against
     the same room in the colours these have on average, the median of pairs."""
@@ -171,7 +222,7 @@ def measure(build, wanted):
     """Yields (key, value, unit, target) of the group `wanted`, or of all."""
     groups = {path.name.removeprefix("bench_"): path
               for path in sorted(build.glob("bench_*")) if path.is_file()}
-    known = sorted({*groups, "cli", *(scene.group for scene in SCENES)})
+    known = sorted({*groups, "caustics", "cli", *(scene.group for scene in SCENES)})
     if wanted and wanted not in known:
         sys.exit(f"bench: no group '{wanted}'; there are {', '.join(known)}")
     for group, path in groups.items():
@@ -184,6 +235,8 @@ def measure(build, wanted):
         yield from rows_of_lights(build)
     if wanted in (None, "texture"):
         yield from rows_of_pictures(build)
+    if wanted == "caustics":
+        yield from rows_of_caustics(build)
     if wanted in (None, "cli"):
         yield from rows_of_command_line(build)
 
