@@ -1,6 +1,7 @@
 #include "transport/caustics.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace lapidary::transport {
@@ -14,6 +15,9 @@ constexpr double photons_per_pixel = 0.25;
 constexpr double most_traced_per_pixel = 0.75;
 constexpr double most_emitted_per_pixel = 4.0;
 constexpr std::uint32_t most_per_pass = 1u << 24;
+/// Photons of the first phase.
+constexpr std::uint32_t fewest_to_learn_from = 1u << 12;
+constexpr std::uint32_t most_to_learn_from = 1u << 16;
 /// Photons traced together by one thread.
 constexpr std::size_t chunk = 1024;
 /// Numbers of passes that no render gets to, for the first phase.
@@ -87,12 +91,16 @@ bool Caustics::measure_widths(ThreadPool& pool) {
 bool Caustics::learn(ThreadPool& pool) {
   const Wavelengths wavelengths = Wavelengths::sample(0.5);
   std::uint32_t pass = probing_pass;
-  for (std::uint32_t count = 1u << 16; count <= 1u << 18; count *= 4) {
+  const double pixels = double(settings_.width) * double(settings_.height);
+  // Of the order of a pass, and no more than a grid can learn from.
+  std::uint32_t count = std::bit_ceil(static_cast<std::uint32_t>(
+      std::clamp(pixels, double{fewest_to_learn_from}, double{most_to_learn_from})));
+  for (int tries = 0; tries < 3; ++tries, count *= 4) {
     const Yield yield = emit(pass++, count, wavelengths, pool);
     if (yield.useful.empty()) continue;
     emitter_.learn(yield.useful);
     // What it has learned decides how many photons are emitted for those that are wanted.
-    constexpr std::uint32_t again = 1u << 14;
+    const std::uint32_t again = count / 4;
     const Yield now = emit(pass++, again, wavelengths, pool);
     const double useful = static_cast<double>(now.useful.size()) / again;
     const double traced = static_cast<double>(now.counters.photons_traced) / again;

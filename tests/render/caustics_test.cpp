@@ -12,8 +12,8 @@ namespace {
 using namespace test;
 using transport::CausticMethod;
 
-constexpr int side = 12;     // of the picture, pixels
-constexpr int renders = 12;  // independent ones, by their seeds
+constexpr int side = 12;    // of the picture, pixels
+constexpr int renders = 8;  // independent ones, by their seeds
 constexpr std::uint32_t passes = 64;
 
 /// A lens of this glass over a matte floor, and another ball that only stands by.
