@@ -106,7 +106,6 @@ bool Caustics::learn(ThreadPool& pool) {
     const double traced = static_cast<double>(now.counters.photons_traced) / again;
     const double per_pixel = std::min(
         {photons_per_pixel / useful, most_traced_per_pixel / traced, most_emitted_per_pixel});
-    const double pixels = double(settings_.width) * double(settings_.height);
     photons_per_pass_ =
         static_cast<std::uint32_t>(std::clamp(per_pixel * pixels, 1024.0, double{most_per_pass}));
     return true;
