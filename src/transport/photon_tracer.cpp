@@ -26,6 +26,13 @@ double shading_correction(const Vertex& vertex, Vec3d c_world, Vec3d c_local) {
   return std::abs(vertex.wo.z) * std::abs(dot(ng, c_world)) / shading;
 }
 
+/// Many roundings of the coordinates that a point on the light has.
+double off_surface(const light::Light& light) {
+  const auto ball = light::bounding_ball(light);
+  if (!ball) return 0.0;
+  return 1e-9 * (max_component(abs(ball->center)) + 2.0 * ball->radius);
+}
+
 }  // namespace
 
 /// A photon on its way.
@@ -106,20 +113,19 @@ bool PhotonTracer::Flight::survives_roulette(SampledSpectrum before, double u) {
 }
 
 PhotonTracer::PhotonTracer(const scene::Scene& scene, const PhotonEmitter& emitter, int max_depth)
-    : scene_(scene),
-      emitter_(emitter),
-      max_depth_(max_depth),
-      light_margin_(before_triangles(scene.world())) {}
+    : scene_(scene), emitter_(emitter), max_depth_(max_depth), shutter_(scene.camera().shutter) {
+  const double off_triangles = before_triangles(scene.world());
+  for (const light::Light& light : scene.lights()) {
+    const bool triangles = std::holds_alternative<light::MeshLight>(light);
+    look_back_.push_back(triangles ? off_triangles : off_surface(light));
+  }
+}
 
 // The point was drawn; that the surface of the light is there a short look back at it tells. What
 // covers a light more closely than that hides it.
 bool PhotonTracer::leave_light(PhotonEmitter::Emission& emission, const Wavelengths& wavelengths,
                                Counters& counters) const {
-  const light::Light& light = scene_.lights()[emission.light];
-  const double scale =
-      max_component(abs(emission.ray.origin)) + light::bounding_ball(light)->radius;
-  const bool triangles = std::holds_alternative<light::MeshLight>(light);
-  const double back = triangles ? light_margin_ : 1e-9 * scale;
+  const double back = look_back_[emission.light];
   geometry::Ray look_back;
   look_back.origin = emission.ray.origin + emission.ray.direction * back;
   look_back.direction = -emission.ray.direction;
@@ -148,7 +154,8 @@ std::optional<PhotonEmitter::Origin> PhotonTracer::trace(const Number& number,
   const PixelSampler points(number.seed ^ photon_stream, number.index, 0, number.pass);
   const Block8 u = points.block(0);
   ++counters.photons_emitted;
-  auto emission = emitter_.sample({u[4], {u[0], u[1]}, {u[2], u[3]}, u[5]}, wavelengths);
+  const double time = std::lerp(shutter_.min, shutter_.max, u[5]);
+  auto emission = emitter_.sample({u[4], {u[0], u[1]}, {u[2], u[3]}, time}, wavelengths);
   if (!emission) return {};
   if (emission->from_surface && !leave_light(*emission, wavelengths, counters)) return {};
   ++counters.photons_traced;

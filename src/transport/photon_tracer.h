@@ -40,7 +40,8 @@ class PhotonTracer {
   const scene::Scene& scene_;
   const PhotonEmitter& emitter_;
   int max_depth_;
-  double light_margin_;  ///< off a light of triangles, from where it is looked for; scene units
+  Interval shutter_;  ///< when the camera takes light: photons of other times are of no use
+  std::vector<double> look_back_;  ///< of each light: how far off it it is looked for; scene units
 };
 
 }  // namespace lapidary::transport
