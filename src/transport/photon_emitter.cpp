@@ -15,6 +15,9 @@ using Target = PhotonEmitter::Target;
 constexpr std::size_t most_targets = 24;
 /// Of the photons of a light, those that are not aimed.
 constexpr double unaimed_share = 0.05;
+/// Of a light's power, what reaches a target at least, as far as it is known without looking: an
+/// estimate of nothing may be wrong where a light touches the rim of a large target.
+constexpr double least_reaching = 1e-3;
 /// Cells of a proposal's square along each side.
 constexpr std::size_t guide_width = 24;
 /// Of what emission was like before it learned, the share that stays.
@@ -22,10 +25,6 @@ constexpr double kept_share = 0.15;
 
 Ball ball_around(const Box3d& box) {
   return {box.center(), 0.5 * length(box.extent())};
-}
-
-Box3d intersection(const Box3d& a, const Box3d& b) {
-  return {max(a.min, b.min), min(a.max, b.max)};
 }
 
 /// Of a point that rounding may have put on the far sides of the unit square.
@@ -90,7 +89,7 @@ std::vector<Target> gather_targets(std::span<const scene::Caster> casters, const
                                    std::size_t most) {
   std::vector<scene::Caster> bounded;
   for (scene::Caster caster : casters) {
-    caster.box = intersection(caster.box, scene_box);
+    caster.box = caster.box.intersect(scene_box);
     if (caster.box.bounded()) bounded.push_back(caster);
   }
   if (bounded.empty()) return {};
@@ -200,14 +199,13 @@ void PhotonEmitter::add_proposals(std::uint32_t index, std::vector<double>& weig
     // Light of the flat side, of which some reaches a ball whose centre lies behind.
     const double irradiance = std::max(influence.at(ball.center),
                                        influence.at(ball.center + influence.front * ball.radius));
-    const double reaches = std::min(irradiance * pi * ball.radius * ball.radius, whole);
-    if (!(reaches > 0.0)) continue;
+    const double reaches =
+        std::clamp(irradiance * pi * ball.radius * ball.radius, least_reaching * whole, whole);
     const double weight = reaches * targets_[i].share;
     proposals_.push_back({index, i, cone});
     weights.push_back(weight);
     aimed += weight;
   }
-  if (!(aimed > 0.0)) return;
   Cone lobe;
   if (influence.reach == light::Influence::Reach::in_front) lobe = {influence.front, 1.0};
   if (influence.reach == light::Influence::Reach::in_cone) {
@@ -260,8 +258,21 @@ std::optional<PhotonEmitter::Emission> PhotonEmitter::sample(const Numbers& numb
   const Vec2d u = is_infinite ? numbers.place : numbers.direction;
   const Origin origin{static_cast<std::uint32_t>(choice.index),
                       proposal.guide ? proposal.guide->sample(u).point : u};
-  return is_infinite ? sample_infinite(origin, numbers, choice.remainder, wavelengths)
-                     : sample_finite(origin, numbers, choice.remainder, wavelengths);
+  auto emission = is_infinite ? sample_infinite(origin, numbers, choice.remainder, wavelengths)
+                              : sample_finite(origin, numbers, choice.remainder, wavelengths);
+  if (emission) emission->ray.time = numbers.time;
+  return emission;
+}
+
+PhotonEmitter::Emission PhotonEmitter::emission_of(const Origin& origin, SampledSpectrum L,
+                                                   double density, light::Extent extent) const {
+  Emission emission;
+  emission.origin = origin;
+  emission.light = proposals_[origin.proposal].light;
+  emission.power = L * static_cast<float>(1.0 / density);
+  emission.density = density;
+  emission.extent = extent;
+  return emission;
 }
 
 std::optional<PhotonEmitter::Emission> PhotonEmitter::sample_finite(
@@ -275,15 +286,9 @@ std::optional<PhotonEmitter::Emission> PhotonEmitter::sample_finite(
   if (!from || !may_meet(from->point, direction)) return {};
   const double density = from->pdf * density_of_directions(proposal.light, direction);
   if (!(density > 0.0 && std::isfinite(density))) return {};
-  Emission emission;
-  emission.origin = origin;
-  emission.light = proposal.light;
+  Emission emission = emission_of(origin, from->L, density, from->extent);
   emission.ray.origin = from->point;
   emission.ray.direction = direction;
-  emission.ray.time = numbers.time;
-  emission.power = from->L * static_cast<float>(1.0 / density);
-  emission.density = density;
-  emission.extent = from->extent;
   emission.on_leaf = from->on_leaf;
   emission.from_surface = from->extent == light::Extent::area;
   return emission;
@@ -308,15 +313,9 @@ std::optional<PhotonEmitter::Emission> PhotonEmitter::sample_infinite(
   if (!may_meet(start, direction)) return {};
   const double density = from->pdf * density_of_places(proposal.light, across, direction);
   if (!(density > 0.0 && std::isfinite(density))) return {};
-  Emission emission;
-  emission.origin = origin;
-  emission.light = proposal.light;
+  Emission emission = emission_of(origin, from->L, density, from->extent);
   emission.ray.origin = start;
   emission.ray.direction = direction;
-  emission.ray.time = numbers.time;
-  emission.power = from->L * static_cast<float>(1.0 / density);
-  emission.density = density;
-  emission.extent = from->extent;
   return emission;
 }
 

@@ -101,6 +101,9 @@ class PhotonEmitter {
                                         const Wavelengths& wavelengths) const;
   std::optional<Emission> sample_infinite(const Origin& origin, const Numbers& numbers, double part,
                                           const Wavelengths& wavelengths) const;
+  /// All of it but the ray and what the light's surface has to do with it.
+  Emission emission_of(const Origin& origin, SampledSpectrum L, double density,
+                       light::Extent extent) const;
   const light::Ball& ball_of(const Proposal& proposal) const {
     return proposal.target == no_target ? around_ : targets_[proposal.target].ball;
   }

@@ -180,6 +180,59 @@ TEST(Caustics, CountScatteringEventsAlike) {
   }
 }
 
+/// The light of the caustic alone, by photons.
+RunningMean caustic(const TinyScene& tiny) {
+  const scene::Scene scene = tiny.build();
+  const RunningMean all = brightness(scene, CausticMethod::photons);
+  const double rest = brightness(scene, CausticMethod::off).mean();
+  return all.shifted(-rest);
+}
+
+/// By 4 standard errors of their difference and what the pictures without caustics are uncertain
+/// by.
+void expect_same(const RunningMean& a, const RunningMean& b) {
+  EXPECT_NEAR(a.mean(), b.mean(),
+              4.0 * std::hypot(a.standard_error(), b.standard_error()) + 0.01 * b.mean());
+}
+
+// Of lights without size chance finds nothing: small ones stand for them.
+TEST(Caustics, OfAPointAndOfASpotAreThatOfASmallSphere) {
+  const Vec3d place(0.2, 0, 3);
+  const double intensity = 10.0, radius = 0.01;
+  const RunningMean small =
+      caustic(lens_over_floor(glass(1.5))
+                  .add(geometry::Sphere{place, radius}, lamp(intensity / (pi * radius * radius))));
+  description::PointLight point;
+  point.position = place;
+  point.emission = {description::Quantity::intensity, grey(intensity)};
+  description::SpotLight spot;
+  spot.from = place;
+  spot.at = {0, 0, 1};
+  spot.angle = 60.0;
+  spot.penumbra = 0.0;
+  spot.emission = point.emission;
+  EXPECT_GT(small.mean(), 30.0 * small.standard_error());
+  expect_same(caustic(lens_over_floor(glass(1.5)).light(point)), small);
+  expect_same(caustic(lens_over_floor(glass(1.5)).light(spot)), small);
+}
+
+// An estimate of the light that reaches the middle of a large caster would say that it gets none.
+TEST(Caustics, OfASpotOnTheRimOfALargeCaster) {
+  TinyScene tiny;
+  tiny.add(geometry::Rectangle{{-9, -9, 0}, {18, 0, 0}, {0, 18, 0}}, matte(0.6));
+  tiny.add(geometry::Box{{-1, -9, 0.5}, {17, 9, 1}}, glass(1.33));
+  tiny.look({0, -3, 1.2}, {0, 0, 0}, 30.0);
+  tiny.description.render.size = {side, side};
+  description::SpotLight spot;
+  spot.from = {0, 0, 3};
+  spot.at = {-0.2, 0, 0};
+  spot.angle = 30.0;
+  spot.emission = {description::Quantity::intensity, grey(10.0)};
+  tiny.light(spot);
+  const RunningMean light = caustic(tiny);
+  EXPECT_GT(light.mean(), 10.0 * light.standard_error());
+}
+
 TEST(Caustics, NeedSomethingToFocusAndALightThatDoesNotMissIt) {
   using State = transport::Caustics::State;
   const auto state = [](const TinyScene& tiny, CausticMethod method = CausticMethod::automatic) {

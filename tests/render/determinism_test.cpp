@@ -84,6 +84,7 @@ image::LayeredImage rendered(const scene::Scene& scene, const Division& division
   const render::SampleSettings settings{
       {.max_depth = 12}, FilterSampler(FilterKind::blackman_harris, 1.5), division.seed};
   const render::BlockRenderer renderer(scene, settings, {width, height, division.tile}, pool);
+  EXPECT_EQ(renderer.caustics().state(), transport::Caustics::State::active);
   film::Film film({.width = width, .height = height, .layers = film::Layers::all});
   for (const render::PassRange& block : division.blocks) renderer.render(block, film, pool);
   return film::develop(film);

@@ -16,6 +16,13 @@ class RunningMean {
     squares_ += delta * (x - mean_);
   }
 
+  /// Of the same numbers with `x` added to each.
+  RunningMean shifted(double x) const {
+    RunningMean result = *this;
+    result.mean_ += x;
+    return result;
+  }
+
   std::size_t count() const { return count_; }
   double mean() const { return mean_; }
   /// Of one number, unbiased; 0 for fewer than two numbers.
