@@ -8,18 +8,6 @@ namespace {
 /// What a polished coat of usual index reflects, averaged over directions.
 constexpr double share_of_coat = 0.1;
 
-struct Narrow {
-  bool operator()(const Conductor& bsdf) const { return bsdf.alpha() <= widest_narrow_alpha; }
-  bool operator()(const RoughDielectric& bsdf) const { return bsdf.alpha() <= widest_narrow_alpha; }
-  bool operator()(const Mixture& bsdf) const {
-    return is_narrow(bsdf.first()->bsdf) && is_narrow(bsdf.second()->bsdf);
-  }
-  template <typename Kind>
-  bool operator()(const Kind& bsdf) const {
-    return is_specular(Bsdf(bsdf));
-  }
-};
-
 /// Whether facets of this roughness are narrow at any place.
 bool may_be_narrow(const texture::Number& roughness) {
   const double* same = roughness.constant();
@@ -67,8 +55,16 @@ struct Share {
 }  // namespace
 
 bool is_narrow(const Bsdf& bsdf) {
-  if (std::holds_alternative<Diffuse>(bsdf)) return false;
-  return std::visit(Narrow(), bsdf);
+  if (is_specular(bsdf)) return true;
+  if (const auto* metal = std::get_if<Conductor>(&bsdf)) {
+    return metal->alpha() <= widest_narrow_alpha;
+  }
+  if (const auto* glass = std::get_if<RoughDielectric>(&bsdf)) {
+    return glass->alpha() <= widest_narrow_alpha;
+  }
+  const auto* mixture = std::get_if<Mixture>(&bsdf);
+  return mixture != nullptr && is_narrow(mixture->first()->bsdf) &&
+         is_narrow(mixture->second()->bsdf);
 }
 
 double focused_share(const Finish& finish) {

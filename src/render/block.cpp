@@ -39,6 +39,8 @@ BlockRenderer::BlockRenderer(const scene::Scene& scene, const SampleSettings& se
                      : transport::CausticMethod::paths,
                  settings.path.max_depth, settings.seed, picture.width, picture.height},
                 pool),
+      cone_(camera::pixel_cone(scene.camera(), {static_cast<double>(picture.width),
+                                                static_cast<double>(picture.height)})),
       tile_(picture.tile) {}
 
 film::PixelSample BlockRenderer::sample_pixel(Vec2d size, int x, int y, const Pass& pass,
@@ -76,7 +78,7 @@ std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, ThreadP
   std::vector<Pass> passes;
   for (std::uint32_t p = range.begin; p < range.end; ++p) {
     const auto wavelengths = Wavelengths::sample(Wavelengths::pass_stratum(p, rotation));
-    passes.push_back({p, wavelengths, {}, std::nullopt});
+    passes.push_back({p, wavelengths, cone_, std::nullopt});
     if (caustics_.state() == transport::Caustics::State::active) {
       passes.back().caustics = caustics_.trace(p, wavelengths, pool, tally.counters);
     }
@@ -86,10 +88,7 @@ std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, ThreadP
 
 BlockTally BlockRenderer::render(PassRange range, film::Film& film, ThreadPool& pool) const {
   BlockTally total;
-  std::vector<Pass> passes = prepare(range, pool, total);
-  const camera::Cone cone = camera::pixel_cone(
-      scene_.camera(), {static_cast<double>(film.width()), static_cast<double>(film.height())});
-  for (Pass& pass : passes) pass.cone = cone;
+  const std::vector<Pass> passes = prepare(range, pool, total);
   const int columns = (film.width() + tile_ - 1) / tile_;
   const int rows = (film.height() + tile_ - 1) / tile_;
   std::mutex mutex;

@@ -68,6 +68,7 @@ class BlockRenderer {
   SampleSettings settings_;
   transport::PathTracer tracer_;
   transport::Caustics caustics_;
+  camera::Cone cone_;  ///< of a pixel
   int tile_;
 };
 

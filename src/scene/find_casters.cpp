@@ -41,12 +41,8 @@ class Search {
 /// Slots of solids say which object wears them; of instances all wear what the first one does.
 void Search::add_solids() {
   const geometry::SolidScene& solids = parts_.world.solids();
-  const std::size_t slots = parts_.sheet_slots.empty() && parts_.mesh_slots.empty()
-                                ? parts_.slots.size()
-                                : std::min(parts_.sheet_slots.empty() ? ~0u : parts_.sheet_slots[0],
-                                           parts_.mesh_slots.empty() ? ~0u : parts_.mesh_slots[0]);
   std::vector<double> of_object(parts_.objects.size());
-  for (std::size_t slot = 0; slot < slots; ++slot) {
+  for (std::size_t slot = 0; slot < parts_.slots.size(); ++slot) {
     double& share = of_object[parts_.slots[slot].object];
     share = std::max(share, share_of_slot(slot));
   }
