@@ -11,6 +11,8 @@ namespace {
 constexpr double first_radius = 2.5;
 /// Photons of a pass that bring light somewhere, for each pixel.
 constexpr double photons_per_pixel = 0.25;
+/// And for a picture, however large: what they leave has to stay in memory for a block of passes.
+constexpr double most_useful = 1 << 22;
 /// Where few do: the most that are traced, and that are emitted with those known to miss.
 constexpr double most_traced_per_pixel = 0.75;
 constexpr double most_emitted_per_pixel = 4.0;
@@ -104,10 +106,11 @@ bool Caustics::learn(ThreadPool& pool) {
     const Yield now = emit(pass++, again, wavelengths, pool);
     const double useful = static_cast<double>(now.useful.size()) / again;
     const double traced = static_cast<double>(now.counters.photons_traced) / again;
-    const double per_pixel = std::min(
-        {photons_per_pixel / useful, most_traced_per_pixel / traced, most_emitted_per_pixel});
+    const double wanted =
+        std::min({std::min(photons_per_pixel * pixels, most_useful) / useful,
+                  most_traced_per_pixel * pixels / traced, most_emitted_per_pixel * pixels});
     photons_per_pass_ =
-        static_cast<std::uint32_t>(std::clamp(per_pixel * pixels, 1024.0, double{most_per_pass}));
+        static_cast<std::uint32_t>(std::clamp(wanted, 1024.0, double{most_per_pass}));
     return true;
   }
   return false;
