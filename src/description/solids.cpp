@@ -8,10 +8,6 @@
 namespace lapidary::description {
 namespace {
 
-Box3d intersection(const Box3d& a, const Box3d& b) {
-  return {max(a.min, b.min), min(a.max, b.max)};
-}
-
 Box3d leaf_bounds(const Object& object) {
   const Transform& placement = object.parent_from_object();
   if (const auto* solid = std::get_if<geometry::Solid>(&object.content)) {
@@ -32,7 +28,7 @@ Box3d joined_bounds(const Object& object, std::span<const Box3d> parts) {
       break;
     case SetOperation::intersect:
       box = Box3d::all();
-      for (const Box3d& part : parts) box = intersection(box, part);
+      for (const Box3d& part : parts) box = box.intersect(part);
       break;
     case SetOperation::subtract:
     case SetOperation::section:

@@ -158,14 +158,10 @@ bool share_a_stretch(const Passages& a, const Passages& b, std::size_t line, Int
   }
 }
 
-Box3d intersection(const Box3d& a, const Box3d& b) {
-  return {max(a.min, b.min), min(a.max, b.max)};
-}
-
 bool overlap(const Body& a, const Body& b) {
   // Rounding moves faces that touch by a few units in the last place of the coordinates.
   constexpr double relative_rounding = 1e-9;
-  const Box3d box = intersection(a.bounds, b.bounds);
+  const Box3d box = a.bounds.intersect(b.bounds);
   if (!box.bounded()) return false;
   const Vec3d reach = max(max(box.max, -box.min), max(box.min, -box.max));
   const double rounding = relative_rounding * std::max({reach.x, reach.y, reach.z});
@@ -197,7 +193,7 @@ OverlapSearch find_overlaps(std::vector<Body> bodies) {
     for (std::size_t j = i + 1; j < bodies.size(); ++j) {
       const Body& b = bodies[j];
       if (b.bounds.min.x >= a.bounds.max.x) break;
-      if (intersection(a.bounds, b.bounds).empty()) continue;
+      if (a.bounds.intersect(b.bounds).empty()) continue;
       work += work_of(a) + work_of(b);
       search.complete = search.complete && work <= max_work;
       if (!search.complete || !overlap(a, b)) continue;

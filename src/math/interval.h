@@ -46,6 +46,9 @@ struct Box3d {
     return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y && min.z <= p.z &&
            p.z <= max.z;
   }
+  constexpr Box3d intersect(const Box3d& b) const {
+    return {lapidary::max(min, b.min), lapidary::min(max, b.max)};
+  }
   /// Corner `i` in 0..7: bit 0 picks x, bit 1 y, bit 2 z.
   constexpr Vec3d corner(unsigned i) const {
     return {i & 1 ? max.x : min.x, i & 2 ? max.y : min.y, i & 4 ? max.z : min.z};
