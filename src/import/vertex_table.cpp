@@ -2,18 +2,13 @@
 
 #include <utility>
 
+#include "base/mix_bits.h"
+
 namespace lapidary::import {
 namespace {
 
-// Every bit of the key moves about half the bits of the result (constants: Steele, Lea & Flood,
-// "Fast splittable pseudorandom number generators", 2014, variant 13 of Stafford).
 std::uint64_t hash(const VertexTable::Key& key) {
-  const auto mix = [](std::uint64_t x) {
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
-    return x ^ (x >> 31);
-  };
-  return mix(mix((std::uint64_t{key[0]} << 32) + key[1]) + key[2]);
+  return mix_bits(mix_bits((std::uint64_t{key[0]} << 32) + key[1]) + key[2]);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <immintrin.h>
 
+#include "base/mix_bits.h"
+
 // How a block is made:
 //
 //   sample number -> shuffled by the block's key -> fractions of eight dimensions by their
@@ -133,15 +135,6 @@ Lanes fractions(std::uint32_t sample) {
 
 // ---- Keys and permutations -----------------------------------------------------------------
 
-// A permutation that leaves no pattern of its input.
-// Source: Steele, Lea & Flood 2014, "Fast Splittable Pseudorandom Number Generators", with the
-// constants of Stafford's "Mix13".
-constexpr std::uint64_t mix(std::uint64_t z) {
-  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ z >> 27) * 0x94d049bb133111ebU;
-  return z ^ z >> 31;
-}
-
 // Independent keys of the eight dimensions of a block, from the block's key.
 // Source of the multipliers and shifts: Wellons, "hash-prospector", the best found of this form.
 Lanes dimension_keys(std::uint32_t block_key) {
@@ -215,12 +208,12 @@ Block8 to_unit_interval(Lanes fraction) {
 
 PixelSampler::PixelSampler(std::uint64_t seed, std::uint32_t x, std::uint32_t y,
                            std::uint32_t sample)
-    : key_(mix(mix(seed) + (static_cast<std::uint64_t>(y) << 32 | x))),
+    : key_(mix_bits(mix_bits(seed) + (static_cast<std::uint64_t>(y) << 32 | x))),
       reversed_sample_(reverse_bits(sample)) {}
 
 Block8 PixelSampler::block(std::uint32_t k) const {
   // Keys of one pixel are a Weyl sequence through a mixer, as those of a generator are.
-  const std::uint64_t key = mix(key_ + k * 0x9e3779b97f4a7c15U);
+  const std::uint64_t key = mix_bits(key_ + k * 0x9e3779b97f4a7c15U);
   const std::uint32_t shuffled = permute(reversed_sample_, static_cast<std::uint32_t>(key));
   const Lanes keys = dimension_keys(static_cast<std::uint32_t>(key >> 32));
   return to_unit_interval(permute(fractions(shuffled), keys));
@@ -228,7 +221,7 @@ Block8 PixelSampler::block(std::uint32_t k) const {
 
 double pass_sample(std::uint64_t seed, std::uint32_t pass, std::uint32_t dimension) {
   // Another constant than any pixel's, so that passes and pixels have nothing in common.
-  const std::uint64_t key = mix(mix(~seed) ^ mix(0x6a09e667f3bcc909U + dimension));
+  const std::uint64_t key = mix_bits(mix_bits(~seed) ^ mix_bits(0x6a09e667f3bcc909U + dimension));
   const std::uint32_t shuffled = permute(reverse_bits(pass), static_cast<std::uint32_t>(key));
   // Van der Corput's fraction is the number itself with its bits reversed.
   return to_unit_interval(permute(reverse_bits(shuffled), static_cast<std::uint32_t>(key >> 32)));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/mix_bits.h"
+
 namespace lapidary::transport {
 namespace {
 
@@ -24,13 +26,6 @@ constexpr std::uint64_t spread_bits(std::uint64_t x) {
 
 constexpr std::uint64_t morton(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   return spread_bits(x) | spread_bits(y) << 1 | spread_bits(z) << 2;
-}
-
-/// Mixes all bits into the low ones. Source: Steele, Lea & Flood 2014 (SplitMix64's finaliser).
-constexpr std::uint64_t mix(std::uint64_t x) {
-  x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ x >> 27) * 0x94d049bb133111ebULL;
-  return x ^ x >> 31;
 }
 
 /// Keys with the places they were at, in ascending order of keys, equal ones as they came.
@@ -122,7 +117,7 @@ PhotonMap::Level PhotonMap::make_level(std::span<const std::uint64_t> codes, uns
     const std::uint64_t code = codes[begin] >> shift;
     std::size_t end = begin + 1;
     while (end < codes.size() && codes[end] >> shift == code) ++end;
-    std::size_t slot = mix(code) & mask;
+    std::size_t slot = mix_bits(code) & mask;
     while (made.entries[slot].run.end != 0) slot = (slot + 1) & mask;
     made.entries[slot] = {code,
                           {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)}};
@@ -133,7 +128,7 @@ PhotonMap::Level PhotonMap::make_level(std::span<const std::uint64_t> codes, uns
 
 PhotonMap::Run PhotonMap::Level::find(std::uint64_t code) const {
   const std::size_t mask = entries.size() - 1;
-  for (std::size_t slot = mix(code) & mask;; slot = (slot + 1) & mask) {
+  for (std::size_t slot = mix_bits(code) & mask;; slot = (slot + 1) & mask) {
     const Entry& entry = entries[slot];
     if (entry.run.end == 0 || entry.code == code) return entry.run;
   }
