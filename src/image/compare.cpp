@@ -79,6 +79,10 @@ std::optional<Metric> metric_of_name(std::string_view name) {
 
 std::vector<float> error_map(const Image& image, const Image& reference,
                              const CompareOptions& options) {
+  if (options.metric == Metric::energy) {
+    throw Error({.parameter = "metric"}, "single pixels have no energy to compare",
+                "it is that of a whole picture, or of a crop");
+  }
   check_comparable(image, reference);
   const Crop crop = options.crop.value_or(Crop{0, 0, image.width, image.height});
   check_crop(crop, image);
@@ -102,7 +106,9 @@ double compare(const Image& image, const Image& reference, const CompareOptions&
     check_comparable(image, reference);
     const Crop crop = options.crop.value_or(Crop{0, 0, image.width, image.height});
     check_crop(crop, image);
-    return energy(image, crop) / energy(reference, crop);
+    const double right = energy(reference, crop);
+    if (right == 0.0) throw Error({}, "the reference is black: no energy to compare with");
+    return energy(image, crop) / right;
   }
   std::vector<float> errors = error_map(image, reference, options);
   const auto left_out = static_cast<std::size_t>(options.trim * static_cast<double>(errors.size()));

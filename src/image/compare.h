@@ -35,17 +35,18 @@ struct CompareOptions {
   std::optional<Crop> crop;
 };
 
-/// The error of each pixel, row by row, of the crop if there is one; not of `energy`, which pixels
-/// do not have.
+/// The error of each pixel, row by row, of the crop if there is one.
 ///
 /// Only the first three channels count. A pixel that is NaN has infinite error; FLIP, which sees
 /// only what a display can show, takes NaN as black and infinity as white. Throws Error if the
-/// sizes differ, an image has fewer than three channels, or the crop leaves the image.
+/// sizes differ, an image has fewer than three channels, the crop leaves the image, or for
+/// `energy`.
 std::vector<float> error_map(const Image& image, const Image& reference,
                              const CompareOptions& options);
 
 /// The mean over the pixels of `error_map`, with the worst ones trimmed; of `energy` the ratio of
-/// the sums, untrimmed. Throws Error as that does, and if trim is not in [0, 1).
+/// the sums, untrimmed. Throws Error as that does, and if trim is not in [0, 1) or a
+/// reference has no energy.
 double compare(const Image& image, const Image& reference, const CompareOptions& options);
 
 }  // namespace lapidary::image

@@ -286,6 +286,14 @@ class Compare(ProgramTest):
             self.assertEqual(name, metric)
             self.assertGreater(float(value), 0)
 
+    def test_energy_is_a_ratio(self):
+        self.assertEqual(self.succeed("compare", "a.exr", "a.exr", "--metric", "energy").stdout,
+                         "energy 1\n")
+        ratio = float(self.succeed("compare", "a.exr", "b.exr", "--metric", "energy",
+                                   "--crop", "2,3,4,5").stdout.split()[1])
+        self.assertNotEqual(ratio, 1)
+        self.assertAlmostEqual(ratio, 1, delta=0.5)
+
     def test_crops_and_trims(self):
         whole = float(self.succeed("compare", "a.exr", "b.exr").stdout.split()[1])
         trimmed = float(self.succeed("compare", "a.exr", "b.exr", "--trim", "0.1").stdout.split()[1])

@@ -30,8 +30,16 @@ TEST(Compare, KnowsItsNames) {
   EXPECT_EQ(metric_of_name("relmse"), Metric::relmse);
   EXPECT_EQ(metric_of_name("mse"), Metric::mse);
   EXPECT_EQ(metric_of_name("mae"), Metric::mae);
+  EXPECT_EQ(metric_of_name("energy"), Metric::energy);
   EXPECT_EQ(metric_of_name("flip"), Metric::flip);
   EXPECT_EQ(metric_of_name("psnr"), std::nullopt);
+}
+
+TEST(Compare, EnergyIsNoneOfPixelsAndNeedsSomethingToCompareWith) {
+  const Image light = uniform(2, 2, {1, 1, 1}), black = uniform(2, 2, {0, 0, 0});
+  EXPECT_THROW(error_map(light, light, {.metric = Metric::energy}), Error);
+  EXPECT_THROW(compare(light, black, {.metric = Metric::energy}), Error);
+  EXPECT_EQ(compare(black, light, {.metric = Metric::energy}), 0.0);
 }
 
 TEST(Compare, ByHand) {
@@ -39,6 +47,7 @@ TEST(Compare, ByHand) {
   image.pixels = {1, 0.5f, 0, 2, 0, 0.09f};
   reference.pixels = {0.5f, 0.5f, 0.25f, 1, 0.09f, 0.09f};
   const auto value = [&](Metric metric) { return compare(image, reference, {.metric = metric}); };
+  EXPECT_NEAR(value(Metric::energy), (1 + 0.5 + 2 + 0.09) / (0.5 + 0.5 + 0.25 + 1 + 0.18), 1e-6);
   EXPECT_NEAR(value(Metric::mae), (0.5 + 0.25 + 1 + 0.09) / 6, 1e-7);
   EXPECT_NEAR(value(Metric::mse), (0.25 + 0.0625 + 1 + 0.0081) / 6, 1e-7);
   const double relative = std::pow(0.5 / 0.51, 2) + std::pow(0.25 / 0.26, 2) +

@@ -60,6 +60,19 @@ TEST(Warp, DiskIsConcentricAndContinuous) {
   EXPECT_EQ(sample_uniform_disk({0.5, 0.5}), Vec2d());
 }
 
+TEST(Warp, ConcentricSquareUndoesTheDisk) {
+  Random random(7);
+  const auto check = [](Vec2d u) {
+    const Vec2d back = concentric_square(concentric_disk(u).position);
+    EXPECT_NEAR(back.x, u.x, 1e-14);
+    EXPECT_NEAR(back.y, u.y, 1e-14);
+  };
+  for (int i = 0; i < 10000; ++i) check(random.uniform2());
+  for (const double x : edge_values) {
+    for (const double y : edge_values) check({x, y});
+  }
+}
+
 TEST(Warp, UniformSphere) {
   const ChiSquaredResult result = test::test_directions(drawn<Vec3d>(sample_uniform_sphere),
                                                         [](Vec3d) { return pdf_uniform_sphere(); });
