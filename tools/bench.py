@@ -108,7 +108,7 @@ def rows_of_caustics(build):
     Errors leave out the worst 0.1 % of the pixels; "caustic" is the region that holds it."""
     scenes = {"lens": ("bench/scenes/lens.lua", "110,140,150,105", ((5, "-", "-"),
                        (25, "<=1e-4", "<=1e-3"), (100, "<=3e-5", "<=3e-4"))),
-              "cornell": ("bench/scenes/cornell_glass.lua", "150,190,85,50",
+              "cornell": ("bench/scenes/cornell_glass.lua", "150,222,65,26",
                           ((10, "<=0.0057", "-"), (35, "<=0.0021", "-")))}
     for name, (file, region, budgets) in scenes.items():
         with tempfile.TemporaryDirectory() as folder:
