@@ -23,7 +23,8 @@ namespace lapidary::transport {
 ///
 /// What photons of a first phase did teaches the emitter which proposals, and within them which
 /// directions or places, are worth most; a share stays as it was. Source: after Grittmann et al.
-/// 2018, "Efficient Caustic Rendering with Lightweight Photon Mapping".
+/// 2018, "Efficient Caustic Rendering with Lightweight Photon Mapping", and, for the worth, Gruson
+/// et al. 2016, "A Spatial Target Function for Metropolis Photon Tracing".
 class PhotonEmitter {
  public:
   /// The scene must outlive the emitter.
@@ -45,8 +46,15 @@ class PhotonEmitter {
     std::uint32_t proposal = 0;
     Vec2d square;
   };
-  /// Learns from photons that brought a caustic's light somewhere. Once, before it is shared.
-  void learn(std::span<const Origin> useful);
+  /// What a photon of a first phase was worth: the sum, over all that look at the picture, of the
+  /// square of what it gave to them over the error that they would not mind.
+  struct Lesson {
+    Origin origin;
+    double worth = 0;
+  };
+  /// Learns from the photons of `emitted` that were worth anything. Of all densities, the one in
+  /// proportion to the root of the mean square has the least variance. Once, before it is shared.
+  void learn(std::span<const Lesson> lessons, std::uint32_t emitted);
 
   /// Light that has left a light.
   struct Emission {
@@ -96,6 +104,7 @@ class PhotonEmitter {
   std::span<const Proposal> proposals_of(std::uint32_t light) const;
   double density_of_directions(std::uint32_t light, Vec3d direction) const;
   double density_of_places(std::uint32_t light, Vec3d p, Vec3d direction) const;
+  double density_of_cell(std::size_t proposal, std::size_t cell) const;
   void set_probabilities(std::span<const double> weights);
   std::optional<Emission> sample_finite(const Origin& origin, const Numbers& numbers, double part,
                                         const Wavelengths& wavelengths) const;

@@ -38,9 +38,13 @@ double off_surface(const light::Light& light) {
 /// A photon on its way.
 class PhotonTracer::Flight {
  public:
-  Flight(const PhotonTracer& tracer, const SampleContext& context, Vec3d origin,
-         std::vector<Photon>& left)
-      : tracer_(tracer), walk_(tracer.scene_, context), origin_(origin), left_(left) {}
+  Flight(const PhotonTracer& tracer, const SampleContext& context, std::uint32_t number,
+         Vec3d origin, std::vector<Photon>& left)
+      : tracer_(tracer),
+        walk_(tracer.scene_, context),
+        number_(number),
+        origin_(origin),
+        left_(left) {}
 
   void follow(const PhotonEmitter::Emission& emission);
 
@@ -52,6 +56,7 @@ class PhotonTracer::Flight {
 
   const PhotonTracer& tracer_;
   Walk walk_;
+  std::uint32_t number_;
   Vec3d origin_;
   std::vector<Photon>& left_;
   SampledSpectrum power_;
@@ -78,7 +83,7 @@ void PhotonTracer::Flight::leave_photon() {
   const Vec3d wi = -walk_.ray().direction;
   const Vec3d n = surface.geometric_normal;
   left_.push_back({power_, Vec3f(surface.p - origin_), Vec3f(wi), Vec3f(dot(n, wi) < 0.0 ? -n : n),
-                   static_cast<float>(density_), static_cast<std::uint16_t>(walk_.depth()),
+                   static_cast<float>(density_), number_, static_cast<std::uint16_t>(walk_.depth()),
                    walk_.carried()});
 }
 
@@ -160,7 +165,7 @@ std::optional<PhotonEmitter::Origin> PhotonTracer::trace(const Number& number,
   if (emission->from_surface && !leave_light(*emission, wavelengths, counters)) return {};
   ++counters.photons_traced;
   const SampleContext context{wavelengths, points, counters, {}};
-  Flight(*this, context, origin, left).follow(*emission);
+  Flight(*this, context, number.index, origin, left).follow(*emission);
   return emission->origin;
 }
 
