@@ -123,7 +123,8 @@ void add_settings(CLI::App& verb, std::vector<Assignment>& settings) {
       verb, "--render", "KEY=VALUE", "any key of the scene's tables: see help render, help film",
       [&](const std::string& text) { settings.push_back(parse_assignment("--render", text)); });
   add_setting(verb, "size", settings, "WxH", "pixels of the picture");
-  add_setting(verb, "samples", settings, "N", "stop after N samples per pixel");
+  add_setting(verb, "samples", settings, "N",
+              "stop after N samples per pixel; noisy ones take more");
   add_setting(verb, "time", settings, "SECONDS", "stop after so much wall time");
   add_setting(verb, "noise", settings, "E", "stop at this relative error");
   add_setting(verb, "integrator", settings, "path|direct", "everything, or direct light only");

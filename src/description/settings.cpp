@@ -16,6 +16,7 @@ using description::FilterKind;
 using description::Integrator;
 using description::LightChoice;
 using description::PictureSize;
+using description::Sampling;
 using description::ToneCurve;
 
 template <>
@@ -34,6 +35,12 @@ template <>
 struct EnumNames<LightChoice> {
   static constexpr std::array<std::pair<std::string_view, LightChoice>, 2> names{
       {{"tree", LightChoice::tree}, {"power", LightChoice::power}}};
+};
+
+template <>
+struct EnumNames<Sampling> {
+  static constexpr std::array<std::pair<std::string_view, Sampling>, 2> names{
+      {{"adaptive", Sampling::adaptive}, {"uniform", Sampling::uniform}}};
 };
 
 template <>
@@ -114,7 +121,7 @@ Declaration<RenderSettings> declare_render() {
        "size", &R::size,
        {.doc = "The picture's sides.", .unit = Unit::pixels, .range = {.min = 1, .max = 65536}})
       .parameter("samples", &R::samples,
-                 {.doc = "Samples of each pixel; 256 when nothing says when to stop.",
+                 {.doc = "Samples of each pixel, at least; 256 when nothing says when to stop.",
                   .range = {.min = 1, .max = 1 << 24}})
       .parameter("time", &R::time,
                  {.doc = "Wall time to spend.", .unit = Unit::seconds, .range = schema::positive})
@@ -130,6 +137,10 @@ Declaration<RenderSettings> declare_render() {
                  {.doc = "Who renders light focused by glass and mirrors: \"photons\", \"paths\" "
                          "from the camera by chance, \"auto\" each where it is better; "
                          "\"off\" leaves it out."})
+      .parameter(
+          "sampling", &R::sampling,
+          {.doc = "\"adaptive\": pixels that are noisy after 8 samples get up to 16 times as "
+                  "many as the others; \"uniform\": all get the same."})
       .parameter("light_choice", &R::light_choice,
                  {.doc = "What the light for a point is chosen by: \"tree\" looks at where the "
                          "lights are and which way they shine, \"power\" does not."})

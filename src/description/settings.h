@@ -31,6 +31,12 @@ enum class LightChoice {
 /// Who renders light focused by glass and mirrors.
 enum class Caustics { automatic, photons, paths, off };
 
+/// Where camera samples go.
+enum class Sampling {
+  adaptive,  ///< more where the picture is noisy
+  uniform,   ///< the same number in every pixel
+};
+
 enum class FilterKind { box, tent, gaussian, blackman_harris };
 
 /// What a sample contributes to the pixels around it.
@@ -49,6 +55,7 @@ struct RenderSettings {
   Integrator integrator = Integrator::path;
   int max_depth = 16;  ///< scattering events of a path
   Caustics caustics = Caustics::automatic;
+  Sampling sampling = Sampling::adaptive;
   LightChoice light_choice = LightChoice::tree;
   FilterSettings filter;
   std::uint64_t seed = 0;

@@ -29,8 +29,9 @@ Rgb to_rgb(double r, double g, double b) {
 std::uint64_t Film::bytes(const Settings& settings) {
   const auto pixels =
       static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height);
-  // Sums, squares, objects and hits; then floats for the channels and for encoding them.
-  constexpr std::uint64_t squares = 3 * sizeof(std::int64_t);
+  // Sums, squares and numbers of samples, objects and hits; then floats for the channels and for
+  // encoding them.
+  constexpr std::uint64_t squares = 3 * sizeof(std::int64_t) + sizeof(std::uint32_t);
   if (settings.layers == Layers::beauty) return pixels * (24 + squares + 3 * sizeof(float) * 2);
   return pixels * (PixelSums::channels * 8 + squares + 8 + 14 * sizeof(float) * 2);
 }
@@ -47,15 +48,16 @@ Film::Film(const Settings& settings)
       static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
   sums_.assign(pixels * channels_, 0);
   squares_.assign(pixels * 3, 0);
+  samples_.assign(pixels, 0);
   if (settings.layers == Layers::all) {
     objects_.assign(pixels, 0);
     hits_.assign(pixels, 0);
   }
 }
 
-void Film::add(const PixelSample& sample, std::uint32_t pass, PixelSums& sums,
+void Film::add(const PixelSample& sample, std::uint32_t number, PixelSums& sums,
                SampleFaults& faults) const {
-  ++sums.passes_;
+  ++sums.samples_;
   std::int64_t* s = sums.sums_.data();
   add_values(beauty_scale_, s, faults, sample.beauty.r, sample.beauty.g, sample.beauty.b);
   if (settings_.layers == Layers::beauty) return;
@@ -63,7 +65,7 @@ void Film::add(const PixelSample& sample, std::uint32_t pass, PixelSums& sums,
              sample.albedo.b, sample.normal.x, sample.normal.y, sample.normal.z);
   add_values(depth_scale_, s + PixelSums::depth, faults, sample.depth);
   if (sample.object != 0) ++sums.hits_;
-  if (pass == 0) sums.object_ = sample.object;
+  if (number == 0) sums.object_ = sample.object;
 }
 
 void Film::add_block(int x, int y, const PixelSums& block) {
@@ -72,7 +74,8 @@ void Film::add_block(int x, int y, const PixelSums& block) {
     std::int64_t& sum = sums_[p * channels_ + c];
     sum = saturating_add(sum, block.sums_[c]);
   }
-  const double n = block.passes_;
+  samples_[p] += block.samples_;
+  const double n = block.samples_;
   for (std::size_t c = 0; c < 3; ++c) {
     const double total = beauty_scale_.value(block.sums_[PixelSums::beauty + c]);
     std::int64_t& square = squares_[p * 3 + c];
@@ -92,8 +95,9 @@ double Film::mean(std::size_t p, std::size_t channel) const {
   const FixedScale& scale = channel < PixelSums::albedo  ? beauty_scale_
                             : channel < PixelSums::depth ? unit_scale_
                                                          : depth_scale_;
-  return passes_ == 0 ? 0.0
-                      : scale.value(sums_[p * channels_ + channel]) / static_cast<double>(passes_);
+  return samples_[p] == 0
+             ? 0.0
+             : scale.value(sums_[p * channels_ + channel]) / static_cast<double>(samples_[p]);
 }
 
 Rgb Film::beauty(int x, int y) const {
@@ -127,7 +131,8 @@ Rgb Film::variance(int x, int y) const {
   const std::size_t p = pixel(x, y);
   const auto channel = [&](std::size_t c) {
     const double m = mean(p, c);
-    const double second = square_scale_.value(squares_[p * 3 + c]) / static_cast<double>(passes_);
+    const double second =
+        square_scale_.value(squares_[p * 3 + c]) / static_cast<double>(samples_[p]);
     return std::max(0.0, second - m * m) / static_cast<double>(blocks_ - 1);
   };
   return to_rgb(channel(0), channel(1), channel(2));
@@ -140,7 +145,7 @@ double Film::noise() const {
     for (int x = 0; x < width(); ++x) {
       const Rgb m = beauty(x, y), v = variance(x, y);
       const auto relative = [](float variance, float mean) {
-        const double reference = std::abs(static_cast<double>(mean)) + 0.01;
+        const double reference = std::abs(static_cast<double>(mean)) + dark;
         return static_cast<double>(variance) / (reference * reference);
       };
       sum += relative(v.r, m.r) + relative(v.g, m.g) + relative(v.b, m.b);

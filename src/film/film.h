@@ -22,6 +22,9 @@ struct PixelSample {
   std::uint32_t object = 0;  ///< number of the first object hit, from 1; 0 for none
 };
 
+/// Where pixels are darker than this, errors count as on one of this brightness (linear picture).
+constexpr double dark = 0.01;
+
 /// Counts of samples that could not be taken as they were.
 struct SampleFaults {
   std::uint64_t not_finite = 0;  ///< NaN or infinite samples, added as zero
@@ -33,7 +36,7 @@ struct SampleFaults {
   }
 };
 
-/// The sums of one pixel over the passes of one block, before they go to the film.
+/// The sums of one pixel over the samples of one block, before they go to the film.
 class PixelSums {
  public:
   static constexpr std::size_t beauty = 0, albedo = 3, normal = 6, depth = 9, channels = 10;
@@ -41,7 +44,7 @@ class PixelSums {
  private:
   friend class Film;
   std::array<std::int64_t, channels> sums_{};
-  std::uint32_t passes_ = 0;
+  std::uint32_t samples_ = 0;
   std::uint32_t hits_ = 0;
   std::uint32_t object_ = 0;
 };
@@ -50,8 +53,9 @@ class PixelSums {
 ///
 /// The reconstruction filter is sampled with the film position (filter importance sampling), so
 /// every sample belongs to one pixel with weight one. Sums are fixed point (`fixed_point.h`):
-/// adding blocks has no order. The variance of a pixel's mean is estimated from its block means
-/// b with n_b passes: (sum n_b m_b^2 / N - m^2) / (B - 1); with Sobol points, whose blocks
+/// adding blocks has no order. All samples of a pixel weigh the same, and pixels may have different
+/// numbers of them. The variance of a pixel's mean is estimated from the means m_b of its B blocks
+/// of n_b samples, N in all: (sum n_b m_b^2 / N - m^2) / (B - 1); with Sobol points, whose blocks
 /// repel each other, it is an upper estimate.
 class Film {
  public:
@@ -74,8 +78,8 @@ class Film {
   int height() const { return settings_.height; }
   Layers layers() const { return settings_.layers; }
 
-  /// Adds a sample to the sums of its pixel. `pass` is the sample's number, from 0.
-  void add(const PixelSample& sample, std::uint32_t pass, PixelSums& sums,
+  /// Adds a sample to the sums of its pixel. `number` is that of the pixel's samples, from 0.
+  void add(const PixelSample& sample, std::uint32_t number, PixelSums& sums,
            SampleFaults& faults) const;
   /// Adds one pixel's sums of a block. Different pixels may be added from different threads.
   void add_block(int x, int y, const PixelSums& sums);
@@ -84,6 +88,7 @@ class Film {
 
   std::uint64_t passes() const { return passes_; }
   std::uint64_t blocks() const { return blocks_; }
+  std::uint32_t samples(int x, int y) const { return samples_[pixel(x, y)]; }
 
   Rgb beauty(int x, int y) const;
   Rgb albedo(int x, int y) const;
@@ -94,7 +99,7 @@ class Film {
   Rgb variance(int x, int y) const;
 
   /// Square root of the estimated relMSE of the beauty, mean over pixels and channels of
-  /// variance / (mean + 0.01)^2 of the linear picture; infinite before the second block.
+  /// variance / (mean + dark)^2 of the linear picture; infinite before the second block.
   double noise() const;
 
  private:
@@ -107,8 +112,9 @@ class Film {
   Settings settings_;
   std::size_t channels_;
   FixedScale beauty_scale_, unit_scale_, depth_scale_, square_scale_;
-  std::vector<std::int64_t> sums_;     ///< channels_ per pixel
-  std::vector<std::int64_t> squares_;  ///< 3 per pixel: sum of n_b m_b^2
+  std::vector<std::int64_t> sums_;      ///< channels_ per pixel
+  std::vector<std::int64_t> squares_;   ///< 3 per pixel: sum of n_b m_b^2
+  std::vector<std::uint32_t> samples_;  ///< of each pixel
   std::vector<std::uint32_t> objects_;
   std::vector<std::uint32_t> hits_;  ///< samples that hit something, for the depth
   std::uint64_t passes_ = 0;

@@ -12,12 +12,6 @@ namespace {
 // Numbers that all pixels of a pass share (`pass_sample`).
 constexpr std::uint32_t wavelength_dimension = 0;
 
-BlockTally& operator+=(BlockTally& a, const BlockTally& b) {
-  a.counters += b.counters;
-  a.faults += b.faults;
-  return a;
-}
-
 }  // namespace
 
 /// What all pixels of a pass share: photons and camera paths can only meet at the same wavelengths.
@@ -44,9 +38,10 @@ BlockRenderer::BlockRenderer(const scene::Scene& scene, const SampleSettings& se
       tile_(picture.tile) {}
 
 film::PixelSample BlockRenderer::sample_pixel(Vec2d size, int x, int y, const Pass& pass,
+                                              std::uint32_t number,
                                               transport::Counters& counters) const {
   const PixelSampler points(settings_.seed, static_cast<std::uint32_t>(x),
-                            static_cast<std::uint32_t>(y), pass.index);
+                            static_cast<std::uint32_t>(y), number);
   const auto u = points.block(0);
   const Vec2d offset = settings_.filter.sample({u[0], u[1]});
   const Vec2d film{(x + 0.5 + offset.x) / size.x, (y + 0.5 + offset.y) / size.y};
@@ -62,33 +57,38 @@ film::PixelSample BlockRenderer::sample_pixel(Vec2d size, int x, int y, const Pa
           static_cast<float>(first.depth), first.object};
 }
 
-void BlockRenderer::render_pixel(int x, int y, std::span<const Pass> passes, film::Film& film,
-                                 BlockTally& tally) const {
+void BlockRenderer::render_pixel(int x, int y, std::span<const Pass> passes, const SampleMap& map,
+                                 film::Film& film, BlockTally& tally) const {
   const Vec2d size{static_cast<double>(film.width()), static_cast<double>(film.height())};
   film::PixelSums sums;
   for (const Pass& pass : passes) {
-    film.add(sample_pixel(size, x, y, pass, tally.counters), pass.index, sums, tally.faults);
+    const auto [first, count] = map.at(x, y, pass.index);
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      film.add(sample_pixel(size, x, y, pass, i, tally.counters), i, sums, tally.faults);
+    }
+    tally.samples += count;
   }
   film.add_block(x, y, sums);
 }
 
-std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, ThreadPool& pool,
-                                                        BlockTally& tally) const {
+std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, double photons,
+                                                        ThreadPool& pool, BlockTally& tally) const {
   const double rotation = pass_sample(settings_.seed, 0, wavelength_dimension);
   std::vector<Pass> passes;
   for (std::uint32_t p = range.begin; p < range.end; ++p) {
     const auto wavelengths = Wavelengths::sample(Wavelengths::pass_stratum(p, rotation));
     passes.push_back({p, wavelengths, cone_, std::nullopt});
     if (caustics_.state() == transport::Caustics::State::active) {
-      passes.back().caustics = caustics_.trace(p, wavelengths, pool, tally.counters);
+      passes.back().caustics = caustics_.trace(p, photons, wavelengths, pool, tally.counters);
     }
   }
   return passes;
 }
 
-BlockTally BlockRenderer::render(PassRange range, film::Film& film, ThreadPool& pool) const {
+BlockTally BlockRenderer::render(PassRange range, const SampleMap& map, film::Film& film,
+                                 ThreadPool& pool) const {
   BlockTally total;
-  const std::vector<Pass> passes = prepare(range, pool, total);
+  const std::vector<Pass> passes = prepare(range, map.photons(), pool, total);
   const int columns = (film.width() + tile_ - 1) / tile_;
   const int rows = (film.height() + tile_ - 1) / tile_;
   std::mutex mutex;
@@ -100,7 +100,7 @@ BlockTally BlockRenderer::render(PassRange range, film::Film& film, ThreadPool& 
       const int y0 = static_cast<int>(tile / static_cast<std::size_t>(columns)) * tile_;
       for (int y = y0; y < std::min(y0 + tile_, film.height()); ++y) {
         for (int x = x0; x < std::min(x0 + tile_, film.width()); ++x) {
-          render_pixel(x, y, passes, film, tally);
+          render_pixel(x, y, passes, map, film, tally);
         }
       }
     }

@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "film/film.h"
+#include "render/sample_plan.h"
 #include "sampling/filter.h"
 #include "scene/scene.h"
 #include "transport/caustics.h"
@@ -12,7 +13,7 @@
 namespace lapidary::render {
 
 /// A half-open range of passes over the whole picture: the unit of progress, of stopping, and of
-/// anything that renders part of a picture. A pass is one camera sample for every pixel.
+/// anything that renders part of a picture. A pass is at least one camera sample for every pixel.
 struct PassRange {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
@@ -24,17 +25,30 @@ constexpr std::uint32_t passes_per_block(int width, int height) {
   return static_cast<std::int64_t>(width) * height <= 2'000'000 ? 4 : 1;
 }
 
+/// Where samples go.
+enum class Sampling {
+  adaptive,  ///< more where the picture is noisy: as SamplePlan says
+  uniform,   ///< one sample of each pixel a pass
+};
+
 /// What determines the value of every sample, and nothing else.
 struct SampleSettings {
   transport::PathSettings path;
   FilterSampler filter;
   std::uint64_t seed = 0;
+  Sampling sampling = Sampling::adaptive;
 };
 
 /// What rendering a block cost and met.
 struct BlockTally {
   transport::Counters counters;
   film::SampleFaults faults;
+  std::uint64_t samples = 0;  ///< of the camera
+
+  BlockTally& operator+=(const BlockTally& b) {
+    counters += b.counters, faults += b.faults, samples += b.samples;
+    return *this;
+  }
 };
 
 /// Renders blocks of passes into a film. Blocks may come in any order and from any machine: the
@@ -52,16 +66,23 @@ class BlockRenderer {
                 ThreadPool& pool);
 
   const transport::Caustics& caustics() const { return caustics_; }
+  Sampling sampling() const { return settings_.sampling; }
 
-  /// Adds passes to a film of the picture's size.
-  BlockTally render(PassRange passes, film::Film& film, ThreadPool& pool) const;
+  /// Adds passes to a film of the picture's size; all of them in the epoch of the map.
+  BlockTally render(PassRange passes, const SampleMap& map, film::Film& film,
+                    ThreadPool& pool) const;
+  /// The same with one sample for every pixel.
+  BlockTally render(PassRange passes, film::Film& film, ThreadPool& pool) const {
+    return render(passes, SampleMap(), film, pool);
+  }
 
  private:
   struct Pass;
-  std::vector<Pass> prepare(PassRange range, ThreadPool& pool, BlockTally& tally) const;
-  void render_pixel(int x, int y, std::span<const Pass> passes, film::Film& film,
-                    BlockTally& tally) const;
-  film::PixelSample sample_pixel(Vec2d size, int x, int y, const Pass& pass,
+  std::vector<Pass> prepare(PassRange range, double photons, ThreadPool& pool,
+                            BlockTally& tally) const;
+  void render_pixel(int x, int y, std::span<const Pass> passes, const SampleMap& map,
+                    film::Film& film, BlockTally& tally) const;
+  film::PixelSample sample_pixel(Vec2d size, int x, int y, const Pass& pass, std::uint32_t number,
                                  transport::Counters& counters) const;
 
   const scene::Scene& scene_;

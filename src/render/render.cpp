@@ -63,6 +63,8 @@ class Run {
  public:
   Run(const StopRules& rules, const film::Film& film) : rules_(rules), film_(film) {}
 
+  void count_samples(std::uint64_t samples) { samples_ += samples; }
+
   bool finished() const {
     if (film_.passes() == 0) return false;
     if (rules_.samples && film_.passes() >= *rules_.samples) return true;
@@ -86,7 +88,7 @@ class Run {
   }
 
   Progress progress() const {
-    const double samples = static_cast<double>(film_.passes()) * film_.width() * film_.height();
+    const auto samples = static_cast<double>(samples_);
     return {film_.passes(), rules_.samples, last_, last_ > 0 ? samples / last_ : 0.0,
             noise_,         seconds_left()};
   }
@@ -118,6 +120,7 @@ class Run {
   double last_ = 0;
   double block_seconds_ = 0;
   double noise_ = infinity;
+  std::uint64_t samples_ = 0;
 };
 
 }  // namespace
@@ -135,7 +138,9 @@ SampleSettings sample_settings(const description::RenderSettings& settings) {
   return {
       {settings.max_depth, interreflection(settings.integrator), caustic_method(settings.caustics)},
       filter_sampler(settings.filter),
-      settings.seed};
+      settings.seed,
+      settings.sampling == description::Sampling::adaptive ? Sampling::adaptive
+                                                           : Sampling::uniform};
 }
 
 void check_size(const description::PictureSize& size) {
@@ -167,16 +172,19 @@ void check_memory(const film::Film::Settings& settings) {
 Statistics render(const BlockRenderer& renderer, const StopRules& rules, const Control& control,
                   film::Film& film, ThreadPool& pool) {
   Run run(rules, film);
+  const transport::Caustics::Share& photons = renderer.caustics().share();
+  SamplePlan plan({photons.cost, photons.error}, film);
   Statistics statistics;
   while (!run.finished()) {
     if (control.stop != nullptr && *control.stop && film.passes() > 0) {
       statistics.ending = Ending::interrupted;
       break;
     }
-    const BlockTally tally = renderer.render(run.next_block(), film, pool);
-    statistics.tally.counters += tally.counters;
-    statistics.tally.faults += tally.faults;
+    const BlockTally tally = renderer.render(run.next_block(), plan.map(), film, pool);
+    statistics.tally += tally;
+    run.count_samples(tally.samples);
     run.block_done();
+    if (renderer.sampling() == Sampling::adaptive) plan.block_done(film);
     if (control.on_progress) control.on_progress(run.progress());
   }
   statistics.seconds = run.seconds();

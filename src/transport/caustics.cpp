@@ -15,7 +15,7 @@ constexpr double fewest_per_pixel = 0.125;
 constexpr double most_per_pixel = 2.0;
 /// The mean, over the first 64 passes, of the inverse of the squares that radii have shrunk by.
 constexpr double mean_inverse_shrinkage = 3.0;
-constexpr std::uint32_t most_per_pass = 1u << 24;
+constexpr double most_emitted = 1 << 24;
 /// Photons that a pass leaves, which stay in memory for a block of passes: 64 bytes each.
 constexpr double most_left = 1 << 22;
 /// Photons of the first phase.
@@ -250,7 +250,7 @@ bool Caustics::learn(ThreadPool& pool) {
     emitter_.learn(any, count);
     emitter_.learn(judge(emit(pass++, count, wavelengths, pool), count, pool).lessons, count);
     // What it has learned decides how many photons are emitted.
-    photons_per_pass_ = best_number(judge(emit(pass++, count, wavelengths, pool), count, pool));
+    choose_number(judge(emit(pass++, count, wavelengths, pool), count, pool));
     return true;
   }
   return false;
@@ -258,16 +258,19 @@ bool Caustics::learn(ThreadPool& pool) {
 
 // Of n photons a pixel the cost of a pass is proportional to c + n d, and its error to v + w / n:
 // their product is least at n^2 = c w / (d v).
-std::uint32_t Caustics::best_number(const Judgement& judgement) const {
+void Caustics::choose_number(const Judgement& judgement) {
   const double pixels = double(settings_.width) * double(settings_.height);
   const double photons = judgement.variance_of_photons * mean_inverse_shrinkage;
-  const double squared =
-      judgement.cost_of_paths * photons / (judgement.cost_of_photons * judgement.variance_of_paths);
+  const double paths = judgement.variance_of_paths;
+  const double relative_cost = judgement.cost_of_photons / judgement.cost_of_paths;
+  const double squared = photons / (relative_cost * paths);
   // Where nothing is left of either, more photons do no harm.
-  const double per_pixel = std::isnan(squared) ? most_per_pixel : std::sqrt(squared);
-  const double wanted = std::clamp(per_pixel, fewest_per_pixel, most_per_pixel) * pixels;
-  return static_cast<std::uint32_t>(
-      std::clamp(std::min(wanted, most_left / judgement.left), 1024.0, double{most_per_pass}));
+  const double wanted = std::isnan(squared) ? most_per_pixel : std::sqrt(squared);
+  const double per_pixel = std::clamp(wanted, fewest_per_pixel, most_per_pixel);
+  most_per_pass_ = std::clamp(most_left / judgement.left, 1024.0, double{most_emitted});
+  photons_per_pass_ = std::clamp(per_pixel * pixels, 1024.0, most_per_pass_);
+  const double error = photons / per_pixel;
+  share_ = {per_pixel * relative_cost, error > 0.0 ? error / (error + paths) : 0.0};
 }
 
 Caustics::Yield Caustics::emit(std::uint32_t pass, std::uint32_t count,
@@ -307,11 +310,13 @@ CausticPass Caustics::pass_of(Yield yield, std::uint32_t count, double radius_pe
           static_cast<double>(count), radius_per_width};
 }
 
-CausticPass Caustics::trace(std::uint32_t pass, const Wavelengths& wavelengths, ThreadPool& pool,
-                            Counters& counters) const {
-  Yield yield = emit(pass, photons_per_pass_, wavelengths, pool);
+CausticPass Caustics::trace(std::uint32_t pass, double factor, const Wavelengths& wavelengths,
+                            ThreadPool& pool, Counters& counters) const {
+  const auto count =
+      static_cast<std::uint32_t>(std::min(factor * photons_per_pass_, most_per_pass_));
+  Yield yield = emit(pass, count, wavelengths, pool);
   counters += yield.counters;
-  return pass_of(std::move(yield), photons_per_pass_, first_radius * radius_shrinkage(pass));
+  return pass_of(std::move(yield), count, first_radius * radius_shrinkage(pass));
 }
 
 }  // namespace lapidary::transport

@@ -36,12 +36,16 @@ class Caustics {
   };
   State state() const { return state_; }
 
-  /// The photons of one pass, with its wavelengths. Must be active. The same bits for any number of
-  /// threads.
-  CausticPass trace(std::uint32_t pass, const Wavelengths& wavelengths, ThreadPool& pool,
-                    Counters& counters) const;
-
-  std::uint32_t photons_per_pass() const { return photons_per_pass_; }
+  /// The photons of one pass, with its wavelengths: `factor` times as many as fit to one camera
+  /// sample in every pixel. Must be active. The same bits for any number of threads.
+  CausticPass trace(std::uint32_t pass, double factor, const Wavelengths& wavelengths,
+                    ThreadPool& pool, Counters& counters) const;
+  /// What the photons of a pass are beside one camera sample in every pixel.
+  struct Share {
+    double cost = 0;   ///< rays over those of the samples
+    double error = 0;  ///< share of the variance of both
+  };
+  const Share& share() const { return share_; }
 
  private:
   /// An emission that left photons.
@@ -69,7 +73,7 @@ class Caustics {
     double left = 0;  ///< photons on surfaces, of one emission
   };
   Judgement judge(Yield yield, std::uint32_t count, ThreadPool& pool) const;
-  std::uint32_t best_number(const Judgement& judgement) const;
+  void choose_number(const Judgement& judgement);
   struct SmallPicture;
   SmallPicture render_small(const CausticPass& pass, ThreadPool& pool) const;
   CausticPass pass_of(Yield yield, std::uint32_t count, double radius_per_width) const;
@@ -80,7 +84,9 @@ class Caustics {
   PhotonTracer tracer_;
   State state_ = State::not_wanted;
   PhotonMap::Radii widths_;  ///< of the camera's cone where it meets what scatters widely
-  std::uint32_t photons_per_pass_ = 0;
+  double photons_per_pass_ = 0;
+  double most_per_pass_ = 0;  ///< of any
+  Share share_;
 };
 
 /// Radius of a gather in pass `pass`, from 0, over that in the first: squares shrink by

@@ -7,7 +7,7 @@
 
 #include "film/develop.h"
 #include "image/image_io.h"
-#include "render/block.h"
+#include "render/render.h"
 #include "scene/tiny_scene.h"
 
 namespace lapidary::test {
@@ -138,6 +138,22 @@ TEST_F(Determinism, HoldsForAnyOrderOfBlocks) {
 TEST_F(Determinism, HoldsForASceneBuiltAgain) {
   expect_same(rendered(varied_scene(sky_).build(builders_), {.threads = 2}), reference_);
   expect_same(rendered(varied_scene(sky_).build(), {}), reference_);  // by one thread
+}
+
+/// A picture whose pixels take different numbers of samples.
+image::LayeredImage adaptive(const scene::Scene& scene, int threads) {
+  ThreadPool pool(threads);
+  const render::BlockRenderer renderer(scene, render::sample_settings({}), {width, height}, pool);
+  film::Film film({.width = width, .height = height, .layers = film::Layers::all});
+  const auto done = render::render(renderer, {.samples = 20}, {}, film, pool);
+  EXPECT_GT(done.tally.samples, 22u * width * height);
+  return film::develop(film);
+}
+
+TEST_F(Determinism, HoldsForAdaptiveSampling) {
+  const image::LayeredImage one = adaptive(scene_, 1);
+  expect_same(adaptive(scene_, 2), one);
+  expect_same(adaptive(scene_, 3), one);
 }
 
 // How passes are grouped into blocks is not part of a sample: only the estimate of the variance,
