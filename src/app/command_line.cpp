@@ -126,7 +126,8 @@ void add_settings(CLI::App& verb, std::vector<Assignment>& settings) {
   add_setting(verb, "samples", settings, "N", "stop after N samples per pixel");
   add_setting(verb, "time", settings, "SECONDS", "stop after so much wall time");
   add_setting(verb, "noise", settings, "E", "stop at this relative error");
-  add_setting(verb, "integrator", settings, "path|direct", "everything, or direct light only");
+  add_setting(verb, "integrator", settings, "path|direct|illumination",
+              "everything, direct light only, or the rest from maps");
   add_setting(verb, "seed", settings, "N", "another seed gives another noise");
 }
 
