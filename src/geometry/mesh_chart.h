@@ -34,8 +34,8 @@ struct MeshCharts {
 };
 
 /// By the mesh's own coordinates, where it has some that lie within [0, 1], fold no triangle to
-/// nothing and do not overlap; otherwise by projection. Overlaps are looked for at no fewer than a
-/// million points, and sixteen for each triangle.
+/// nothing and do not overlap; otherwise by projection. Overlaps are looked for at a lattice of no
+/// fewer than a million points, and sixteen for each triangle; of projections at a coarser one.
 ///
 /// Projected charts grow over shared edges, wherever vertices are at the same place, as long as
 /// normals are within 40 degrees of that of the first triangle and nothing overlaps. Time: about a

@@ -54,16 +54,20 @@ IlluminationMaps::IlluminationMaps(const scene::Scene& scene, const Settings& se
 }
 
 void IlluminationMaps::find_surfaces(const std::vector<FallenPhoton>& photons) {
-  std::vector<SurfaceKey> keys;
+  using Found = std::pair<SurfaceKey, std::uint32_t>;  // with the object that wears it
+  std::vector<Found> found;
   for (const FallenPhoton& photon : photons) {
     // Many fall where the one before fell.
-    if (keys.empty() || keys.back() != photon.place.key) keys.push_back(photon.place.key);
+    if (!found.empty() && found.back().first == photon.place.key) continue;
+    found.emplace_back(photon.place.key, photon.object);
   }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  const auto is_less = [](const Found& a, const Found& b) { return a.first < b.first; };
+  const auto is_same = [](const Found& a, const Found& b) { return a.first == b.first; };
+  std::stable_sort(found.begin(), found.end(), is_less);
+  found.erase(std::unique(found.begin(), found.end(), is_same), found.end());
   std::map<const geometry::TriangleMesh*, MappedSurface::Meshes> meshes;  // only looked up
   std::uint32_t slots = 0;
-  for (const SurfaceKey& key : keys) {
+  for (const auto& [key, object] : found) {
     MappedSurface::Meshes charts;
     if (const geometry::TriangleMesh* mesh = MappedSurface::mesh_of(scene_.world(), key)) {
       MappedSurface::Meshes& shared = meshes[mesh];
@@ -73,6 +77,7 @@ void IlluminationMaps::find_surfaces(const std::vector<FallenPhoton>& photons) {
       charts = shared;
     }
     surfaces_.emplace_back(scene_.world(), key, std::move(charts));
+    objects_.push_back(object);
     first_slot_.push_back(slots);
     slots += 2 * static_cast<std::uint32_t>(surfaces_.back().chart_count());
   }

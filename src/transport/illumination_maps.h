@@ -56,6 +56,9 @@ class IlluminationMaps {
   const std::vector<Entry>& entries() const { return entries_; }
   const std::vector<MappedSurface>& surfaces() const { return surfaces_; }
 
+  /// The number of the scene's object that a surface is of.
+  std::uint32_t object_of(std::uint32_t surface) const { return objects_[surface]; }
+
   double radius() const { return radius_; }          ///< of the blur [scene units]
   double texel_size() const { return texel_size_; }  ///< about [scene units]
   const Counters& counters() const { return counters_; }
@@ -75,6 +78,7 @@ class IlluminationMaps {
   const scene::Scene& scene_;
   State state_ = State::active;
   std::vector<MappedSurface> surfaces_;    ///< ascending by key
+  std::vector<std::uint32_t> objects_;     ///< of surfaces
   std::vector<std::uint32_t> first_slot_;  ///< of each surface: two for each of its charts
   std::vector<std::uint32_t> entry_of_;    ///< of each slot, or no_entry
   std::vector<Entry> entries_;

@@ -91,6 +91,7 @@ std::optional<std::vector<FallenPhoton>> trace_photons(const scene::Scene& scene
         const Rgb rgb = own->to_rgb(at.power * share);
         mine.photons.push_back({place_on_surface(scene.world(), at.walk.hit(), surface),
                                 {rgb.r, rgb.g, rgb.b, 0.0f},
+                                scene.object_index(at.walk.hit()),
                                 from_front ? SurfaceSide::front : SurfaceSide::back});
       };
       const PhotonTracer::Leave leave_here = std::ref(leave);

@@ -15,7 +15,8 @@ enum class SurfaceSide : std::uint8_t { front, back };
 /// A photon where it fell on a surface that scatters widely.
 struct FallenPhoton {
   SurfacePlace place;
-  SampledSpectrum power;  ///< red, green and blue, and 0 [W]; all photons together are the light
+  SampledSpectrum power;     ///< red, green and blue, and 0 [W]; all photons together are the light
+  std::uint32_t object = 0;  ///< scene::Scene::object_index
   SurfaceSide side = SurfaceSide::front;
 };
 

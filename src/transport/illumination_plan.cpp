@@ -98,7 +98,7 @@ ChartPlan plan_of(const MappedSurface& surface, std::uint32_t chart, Sides sides
 }
 
 double radius_by_density(std::span<const ChartPlan> plans, double size) {
-  constexpr double photons_within = 600.0;
+  constexpr double photons_within = 1500.0;
   const double most = 0.25 * size;
   std::vector<Cell> cells;
   std::size_t all = 0;

@@ -31,7 +31,7 @@ struct ChartPlan {
 ChartPlan plan_of(const MappedSurface& surface, std::uint32_t chart,
                   std::array<std::span<const ChartPhoton>, 2> sides);
 
-/// The radius within which some hundred photons fell, where the photon in the middle of all did,
+/// The radius within which about 1500 photons fell, where the photon in the middle of all did,
 /// ordered by how densely they fell; at most a quarter of `size` [scene units].
 double radius_by_density(std::span<const ChartPlan> plans, double size);
 

@@ -66,6 +66,11 @@ Vec2d step_of(const TexelGrid& grid, const MappedSurface::Range& over) {
   return {(over.max.x - over.min.x) / grid.width, (over.max.y - over.min.y) / grid.height};
 }
 
+bool is_opaque(const SolidScene& solids, std::uint32_t region) {
+  return region != SolidScene::no_region &&
+         solids.region(region).opacity == geometry::Opacity::opaque;
+}
+
 /// A diagonal that has room for the world; of one without bounds, some length.
 double size_of(const geometry::World& world) {
   const Box3d box = world.bounds();
@@ -116,7 +121,7 @@ MappedSurface::MappedSurface(const geometry::World& world, const SurfaceKey& key
   height_ = share_of_size * size_of(world);
   const SolidScene& solids = world.solids();
   for (std::uint32_t region = 0; region < solids.region_count() && !has_opaque_; ++region) {
-    has_opaque_ = solids.region(region).opacity == geometry::Opacity::opaque;
+    has_opaque_ = is_opaque(solids, region);
   }
   if (mesh_) mesh_scale_ = measure_mesh();
   if (key.kind != SurfaceKind::solid || mesh_) return;
@@ -206,10 +211,14 @@ std::optional<TexelMetric> MappedSurface::metric_at(std::uint32_t chart, Vec2d a
   return uv ? std::optional(metric_of(*uv)) : std::nullopt;
 }
 
+std::optional<Vec3d> MappedSurface::point_at(std::uint32_t chart, Vec2d at) const {
+  Vec3d p;
+  geometry::Patch patch;
+  return uv_at(chart, at, p, patch) ? std::optional(p) : std::nullopt;
+}
+
 bool MappedSurface::is_buried(Vec3d p) const {
-  const std::uint32_t region = geometry::region_at(world_->solids(), p);
-  return region != SolidScene::no_region &&
-         world_->solids().region(region).opacity == geometry::Opacity::opaque;
+  return is_opaque(world_->solids(), geometry::region_at(world_->solids(), p));
 }
 
 /// Whether a line through p along the normal meets just this piece of the leaf as what is seen.
@@ -224,6 +233,7 @@ bool MappedSurface::is_worn_there(Vec3d p, geometry::Patch patch) const {
   geometry::Sweep sweep(solids, ray);
   for (geometry::Transition found; sweep.next(found);) {
     if (geometry::LeafPatch{found.place, found.worn_leaf, found.worn_patch} != wanted) continue;
+    if (is_opaque(solids, found.before) && is_opaque(solids, found.after)) continue;
     if (solids.is_same_crossing(wanted, ray, height_, found.t)) return true;
   }
   return false;

@@ -64,6 +64,9 @@ class MappedSurface {
   /// the coordinates]; nothing where there is none.
   std::optional<TexelMetric> metric_at(std::uint32_t chart, Vec2d at) const;
 
+  /// A point of the chart, when the frame begins; not of meshes.
+  std::optional<Vec3d> point_at(std::uint32_t chart, Vec2d at) const;
+
   /// What is under the texels of a grid over the range from `min` to `max`, as it stands when the
   /// frame begins. Of solids each texel is looked at in its middle, and at 16 points where others
   /// around it differ: parts finer than a texel may be missed. What is inside of opaque solids is
