@@ -27,16 +27,32 @@ std::filesystem::path folder_of(const BakeCommand& command) {
   return std::filesystem::path(command.scene.file).stem().string() + "_maps";
 }
 
-/// Finds out before the work what would fail after it.
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder)) {
-    throw Error({}, fmt::format("the folder {} cannot be made", folder.string()),
-                "give another one with -o");
+/// The folder for the maps, made before the work to find out what would fail after it, and removed
+/// again if that comes to nothing.
+class OutputFolder {
+ public:
+  explicit OutputFolder(std::filesystem::path path) : path_(std::move(path)) {
+    std::error_code error;
+    is_new_ = std::filesystem::create_directories(path_, error);
+    if (error || !std::filesystem::is_directory(path_, error)) {
+      throw Error({}, fmt::format("the folder {} cannot be made", path_.string()),
+                  "give another one with -o");
+    }
+    image::OutputFile probe(path_ / "index.json");
   }
-  image::OutputFile probe(folder / "index.json");
-}
+  ~OutputFolder() {
+    std::error_code ignored;  // it stays if there is anything in it
+    if (is_new_) std::filesystem::remove(path_, ignored);
+  }
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  bool is_new_ = false;
+};
 
 PhotonLight photon_light(BakeCommand::Light light) {
   switch (light) {
@@ -193,12 +209,11 @@ void write_maps(const BakeCommand& command, const std::filesystem::path& folder,
 
 ExitCode run(const BakeCommand& command) {
   check_settings(command.settings);
-  const std::filesystem::path folder = folder_of(command);
   WarningLog warnings;
   ThreadPool pool(command.threads);
   auto description = load_scene(command.scene, command.settings, warnings);
   complete_scene(command.scene, description);
-  make_folder(folder);
+  const OutputFolder folder(folder_of(command));
   const scene::Scene scene = scene::build(
       description, {description.render.size, pool, warnings, description.render.light_choice});
   print_warnings(warnings.take());
@@ -210,9 +225,9 @@ ExitCode run(const BakeCommand& command) {
     fail_without_maps(maps.state(), settings.budget.light);
   }
   const std::vector<render::BakedImage> images = render::bake(scene, maps);
-  write_maps(command, folder, maps, images, settings);
+  write_maps(command, folder.path(), maps, images, settings);
   if (!command.is_quiet) {
-    fmt::print(stderr, "{}: {} maps of {} photons, blurred by {:.3g}\n", folder.string(),
+    fmt::print(stderr, "{}: {} maps of {} photons, blurred by {:.3g}\n", folder.path().string(),
                images.size(), settings.budget.photons, maps.radius());
   }
   return ExitCode::done;

@@ -1,5 +1,7 @@
 #include "transport/illumination_tracer.h"
 
+#include <algorithm>
+
 #include "sampling/mis.h"
 #include "transport/walk.h"
 
@@ -7,6 +9,9 @@ namespace lapidary::transport {
 namespace {
 
 using bsdf::Lobe;
+
+/// How many smooth dielectrics of a path split it.
+constexpr int most_splits = 2;
 
 }  // namespace
 
@@ -27,6 +32,10 @@ class IlluminationTracer::Path {
   SampledSpectrum light_met(std::uint32_t light, const light::LightHit& hit) const;
   void add_map(SampledSpectrum weight, Vec3d direction);
   bool scatter(const Vertex& vertex, const VertexPoints& points);
+  /// Follows what is reflected to its end, and goes on with what is refracted.
+  bool split(const bsdf::SmoothDielectric& glass, const Vertex& vertex, FirstSurface& first);
+  bool take_specular(const Vertex& vertex, const std::optional<bsdf::BsdfSample>& sample);
+  void take(const Vertex& vertex, const Scattered& way);
   bool survives_roulette(double u);
   void note_first(FirstSurface& first) const;
 
@@ -40,6 +49,8 @@ class IlluminationTracer::Path {
   double pdf_ = 0;  ///< of the direction taken, per solid angle
   Lobe lobe_ = Lobe::specular;
   double index_squared_ = 1;  ///< undoes the radiance scaling of refraction for roulette
+  int splits_ = most_splits;  ///< that are left
+  double split_share_ = 1;    ///< of the throughput, what splits have left on this way
 };
 
 // What comes to a diffuse lobe through glass is in the map.
@@ -95,26 +106,55 @@ void IlluminationTracer::Path::note_first(FirstSurface& first) const {
 bool IlluminationTracer::Path::survives_roulette(double u) {
   const float brightest =
       walk_.carried() == bsdf::Carried::hero ? 0.25f * beta_.max() : beta_.max();
-  const double throughput = static_cast<double>(brightest) * index_squared_;
+  const double throughput = static_cast<double>(brightest) * index_squared_ / split_share_;
   if (walk_.depth() < 2 || throughput >= 1.0) return throughput > 0.0;
   if (u >= throughput) return false;
   beta_ *= static_cast<float>(1.0 / throughput);
   return true;
 }
 
-bool IlluminationTracer::Path::scatter(const Vertex& vertex, const VertexPoints& points) {
-  const auto way = sample_direction(vertex, points, bsdf::Mode::radiance);
-  if (!way) return false;
-  const bsdf::BsdfSample& sample = way->sample;
-  if (sample.lobe == Lobe::diffuse) add_map(sample.weight, way->direction);
+void IlluminationTracer::Path::take(const Vertex& vertex, const Scattered& way) {
+  const bsdf::BsdfSample& sample = way.sample;
   beta_ *= sample.weight;
   if (sample.lobe != Lobe::specular) {
-    beta_ *= static_cast<float>(terminator_share(vertex, way->direction, sample.wi));
+    beta_ *= static_cast<float>(terminator_share(vertex, way.direction, sample.wi));
   }
   index_squared_ *= sample.relative_index * sample.relative_index;
   lit_ = vertex.lit, pdf_ = sample.pdf, lobe_ = sample.lobe;
-  walk_.scatter(vertex, sample, way->direction);
+  walk_.scatter(vertex, sample, way.direction);
+}
+
+bool IlluminationTracer::Path::scatter(const Vertex& vertex, const VertexPoints& points) {
+  const auto way = sample_direction(vertex, points, bsdf::Mode::radiance);
+  if (!way) return false;
+  if (way->sample.lobe == Lobe::diffuse) add_map(way->sample.weight, way->direction);
+  take(vertex, *way);
   return !beta_.is_zero() && survives_roulette(points.roulette());
+}
+
+bool IlluminationTracer::Path::take_specular(const Vertex& vertex,
+                                             const std::optional<bsdf::BsdfSample>& sample) {
+  if (!sample) return false;
+  const Vec3d direction = vertex.frame.to_world(sample->wi);
+  if (!sides_agree(vertex, direction, sample->wi)) return false;
+  const double before = static_cast<double>(beta_.max()) * index_squared_;
+  take(vertex, {*sample, direction});
+  if (beta_.is_zero()) return false;
+  // That a way has little of the light is no reason to end it at random.
+  const double hero = sample->carried == bsdf::Carried::hero ? 0.25 : 1.0;
+  const double after = static_cast<double>(beta_.max()) * index_squared_;
+  split_share_ *= std::min(1.0, hero * after / before);
+  return true;
+}
+
+bool IlluminationTracer::Path::split(const bsdf::SmoothDielectric& glass, const Vertex& vertex,
+                                     FirstSurface& first) {
+  const bsdf::BothWays ways = both_ways(glass, vertex.wo, bsdf::Mode::radiance);
+  --splits_;
+  Path other = *this;
+  other.L_ = {};
+  if (other.take_specular(vertex, ways.reflected)) L_ += other.follow(first);
+  return take_specular(vertex, ways.refracted);
 }
 
 SampledSpectrum IlluminationTracer::Path::follow(FirstSurface& first) {
@@ -130,6 +170,11 @@ SampledSpectrum IlluminationTracer::Path::follow(FirstSurface& first) {
     const bool is_last = walk_.depth() > 0 && lobe_ == Lobe::diffuse;
     if (is_last || walk_.depth() == tracer_.max_depth_) return L_;
     const Vertex vertex = walk_.vertex();
+    const auto* glass = std::get_if<bsdf::SmoothDielectric>(&vertex.bsdf);
+    if (glass != nullptr && splits_ > 0) {
+      if (!split(*glass, vertex, first)) return L_;
+      continue;
+    }
     const VertexPoints points = walk_.points();
     if (!is_specular(vertex.bsdf)) {
       const NextEvent::Place place{vertex, walk_.media(), walk_.cone()};
