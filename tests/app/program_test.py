@@ -18,6 +18,7 @@ import time
 import unittest
 
 LAPIDARY = None  # set by main
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 
 BALL = """
 return scene {
@@ -209,6 +210,15 @@ class Render(ProgramTest):
             self.succeed("render", "ball.lua", "--threads", threads, "-o", f"{threads}.exr")
             done = self.succeed("compare", f"{threads}.exr", "1.exr", "--metric", "mse")
             self.assertEqual(done.stdout, "mse 0\n")
+
+    def test_same_bits_of_maps_for_any_number_of_threads(self):
+        self.write("cornell.lua", (EXAMPLES / "cornell.lua").read_text())
+        for threads in ("1", "3"):
+            self.succeed("render", "cornell.lua", "--threads", threads, "-o", f"{threads}.exr",
+                         "--integrator", "illumination", "--size", "32x32", "--samples", "4",
+                         "--render", "map_photons=20000")
+        self.assertEqual(self.succeed("compare", "3.exr", "1.exr", "--metric", "mse").stdout,
+                         "mse 0\n")
 
 
 class BadInput(ProgramTest):

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "geometry/meshes.h"
+#include "scene/solid_builders.h"
 #include "support/random.h"
 #include "transport/illumination_tracer.h"
 #include "transport/probe.h"
@@ -163,6 +164,49 @@ TEST(IlluminationMaps, OfAConvexBodyUnderAnEvenSkyAreConstant) {
     }
     EXPECT_NEAR(mean.mean(), 1.0, 0.03);
     EXPECT_LT(worst, 0.3);
+  }
+}
+
+// The same of half a ball, which stands in two places and is cut by a plane without an end; each
+// hides 1 % of the sky from the other.
+TEST(IlluminationMaps, OfCutLeavesInSeveralPlacesAreConstant) {
+  const double L = 0.7;
+  TinyScene tiny;
+  const auto half = with_material(
+      *intersect(ball(), solid(geometry::HalfSpace{{0, 0, 0.1}, {0.2, 0, 1}})), matte(0.5));
+  tiny.description.objects = {half, at(8, half)};
+  add_sky(tiny, L);
+  const Mapped mapped(tiny, settings(1000000, PhotonLight::all, 0.5));
+  EXPECT_EQ(mapped.maps.surfaces().size(), 4u);
+  Random random(54);
+  for (const double x : {0.0, 8.0}) {
+    RunningMean flat, round;
+    for (int i = 0; i < 300; ++i) {
+      const Vec3d d = random.direction(), p{x, 0, -0.2};
+      const double E = mapped.irradiance(ray_to(p + d * 3.0, p));
+      // The cut is seen from above.
+      (d.z > 0.6 ? flat : round).add(E / (pi * L));
+      EXPECT_NEAR(E / (pi * L), 1.0, 0.35);
+    }
+    EXPECT_NEAR(flat.mean(), 0.99, 0.04);
+    EXPECT_NEAR(round.mean(), 0.99, 0.04);
+  }
+}
+
+// A lamp right above a cube lights its top and nothing else, up to the very edge.
+TEST(IlluminationMaps, DoNotBleedFromChartToChart) {
+  for (const bool is_mesh : {true, false}) {
+    TinyScene tiny;
+    if (is_mesh) tiny.add_mesh(geometry::meshes::cube(), matte(0.0));
+    if (!is_mesh) tiny.add(geometry::Box{{-1, -1, -1}, {1, 1, 1}}, matte(0.0));
+    tiny.light(description::PointLight{{0, 0, 2}, {Quantity::intensity, white(1.0)}});
+    const Mapped mapped(tiny, settings(20000, PhotonLight::all, 0.5));
+    const double middle = mapped.irradiance(ray({0, 0, 2}, {0, 0, -1}));
+    EXPECT_GT(middle, 0.5);
+    EXPECT_GT(mapped.irradiance(ray({0.99, 0, 2}, {0, 0, -1})), 0.2);
+    for (const double z : {0.999, 0.9, 0.0, -0.999}) {
+      EXPECT_EQ(mapped.irradiance(ray({3, 0.2, z}, {-1, 0, 0})), 0.0);
+    }
   }
 }
 
