@@ -23,6 +23,7 @@ SampledSpectrum gather(const CausticPass& pass, const Gather& at) {
   const Vec3d ng = vertex.surface.geometric_normal;
   const double radius = pass.radius(at.width), radius_squared = radius * radius;
   const double area = photon_area(pass, at.width);
+  const auto kernel = 2.0 / (pi * radius_squared * pass.emitted);
   pass.map.for_each_near(vertex.surface.p, radius, [&](const Photon& photon, double d2) {
     if (photon.depth > at.depth_left) return;
     const Vec3d wi_world(photon.wi);
@@ -41,9 +42,14 @@ SampledSpectrum gather(const CausticPass& pass, const Gather& at) {
     }
     // Each of two that carry the hero alone counts it four times.
     if (at.carried == bsdf::Carried::hero && photon.carried == bsdf::Carried::hero) weight *= 0.25;
-    sum += f.f_cos * photon.power * static_cast<float>(weight * (1.0 - d2 / radius_squared));
+    const SampledSpectrum given =
+        f.f_cos * photon.power * static_cast<float>(weight * (1.0 - d2 / radius_squared));
+    sum += given;
+    if (at.gathered != nullptr) {
+      at.gathered->push_back({photon.number, given.average() * static_cast<float>(kernel)});
+    }
   });
-  return sum * static_cast<float>(2.0 / (pi * radius_squared * pass.emitted));
+  return sum * static_cast<float>(kernel);
 }
 
 }  // namespace lapidary::transport

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include "transport/photon_emitter.h"
 #include "transport/photon_map.h"
+#include "transport/sample_context.h"
 #include "transport/vertex.h"
 
 namespace lapidary::transport {
@@ -54,6 +56,7 @@ struct Gather {
   int depth_left = 0;  ///< scattering events that a photon may have behind it
   bsdf::Carried carried = bsdf::Carried::all;
   CausticMethod method = CausticMethod::automatic;
+  std::vector<GatheredPhoton>* gathered = nullptr;  ///< where to note what each photon gave
 };
 
 /// The radiance that photons near the vertex scatter along the path. The kernel is Epanechnikov's,

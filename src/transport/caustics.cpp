@@ -1,6 +1,7 @@
 #include "transport/caustics.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -9,14 +10,14 @@ namespace {
 
 /// In diameters of the camera's cone, which is a pixel's: the radius of the first pass.
 constexpr double first_radius = 2.5;
-/// Photons of a pass that bring light somewhere, for each pixel.
-constexpr double photons_per_pixel = 0.25;
-/// And for a picture, however large: what they leave has to stay in memory for a block of passes.
-constexpr double most_useful = 1 << 22;
-/// Where few do: the most that are traced, and that are emitted with those known to miss.
-constexpr double most_traced_per_pixel = 0.75;
-constexpr double most_emitted_per_pixel = 4.0;
+/// Photons of a pass for each pixel: bounds of what is best.
+constexpr double fewest_per_pixel = 0.125;
+constexpr double most_per_pixel = 2.0;
+/// The mean, over the first 64 passes, of the inverse of the squares that radii have shrunk by.
+constexpr double mean_inverse_shrinkage = 3.0;
 constexpr std::uint32_t most_per_pass = 1u << 24;
+/// Photons that a pass leaves, which stay in memory for a block of passes: 64 bytes each.
+constexpr double most_left = 1 << 22;
 /// Photons of the first phase.
 constexpr std::uint32_t fewest_to_learn_from = 1u << 12;
 constexpr std::uint32_t most_to_learn_from = 1u << 16;
@@ -24,13 +25,81 @@ constexpr std::uint32_t most_to_learn_from = 1u << 16;
 constexpr std::size_t chunk = 1024;
 /// Numbers of passes that no render gets to, for the first phase.
 constexpr std::uint32_t probing_pass = 0xffffff00u;
+/// Side, in pixels, of the small picture that a first phase looks at, and the samples of each.
+constexpr std::size_t small_side = 64;
+constexpr std::uint32_t small_samples = 4;
+/// As `first_radius`, in its pixels.
+constexpr double small_radius = 1.5;
+/// Of the mean radiance of a picture, the error that nobody minds where it is dark.
+constexpr double tolerated_share = 0.1;
+
+const Wavelengths& probing_wavelengths() {
+  static const Wavelengths wavelengths = Wavelengths::sample(0.5);
+  return wavelengths;
+}
 
 Vec3d origin_of(const scene::Scene& scene) {
   const Box3d box = scene.world().bounds();
   return box.empty() ? Vec3d() : box.center();
 }
 
+/// A path into the small picture, at its pixel `index`, and what it needs.
+class SmallSample {
+ public:
+  SmallSample(const Caustics::Settings& settings, std::size_t index, std::uint32_t pass)
+      : settings_(settings),
+        x_(static_cast<std::uint32_t>(index % small_side)),
+        y_(static_cast<std::uint32_t>(index / small_side)),
+        points_(settings.seed, x_, y_, pass) {}
+
+  std::optional<geometry::Ray> ray(const camera::Camera& camera) const {
+    const Block8 u = points_.block(0);
+    const Vec2d film{(x_ + u[0]) / small_side, (y_ + u[1]) / small_side};
+    return camera::generate_ray(camera, {film, {u[2], u[3]}, u[4]});
+  }
+  /// Widths are those of the picture's own pixels.
+  SampleContext context(const camera::Camera& camera, Counters& counters) const {
+    const Vec2d size{static_cast<double>(settings_.width), static_cast<double>(settings_.height)};
+    return {probing_wavelengths(), points_, counters, camera::pixel_cone(camera, size)};
+  }
+
+ private:
+  const Caustics::Settings& settings_;
+  std::uint32_t x_, y_;
+  PixelSampler points_;
+};
+
+double trimmed_mean(std::vector<double>& values) {
+  constexpr double share_left_out = 0.02;
+  std::sort(values.begin(), values.end());
+  const auto kept =
+      static_cast<std::size_t>((1.0 - share_left_out) * static_cast<double>(values.size()));
+  double sum = 0.0;
+  for (std::size_t i = 0; i < kept; ++i) sum += values[i];
+  return kept > 0 ? sum / static_cast<double>(kept) : 0.0;
+}
+
 }  // namespace
+
+/// A picture of few pixels, with what each gathered.
+struct Caustics::SmallPicture {
+  struct Pixel {
+    double radiance = 0;                   ///< the mean of its wavelengths
+    double variance_of_paths = 0;          ///< of a sample, photons left out
+    std::vector<GatheredPhoton> gathered;  ///< by all of its samples
+  };
+  std::vector<Pixel> pixels;
+  double cost = 0;  ///< rays of a sample
+
+  static Pixel render(const Caustics& caustics, const PathTracer& tracer, const CausticPass& pass,
+                      std::size_t index, Counters& counters);
+
+  double mean_radiance() const {
+    double sum = 0.0;
+    for (const Pixel& pixel : pixels) sum += pixel.radiance;
+    return sum / static_cast<double>(pixels.size());
+  }
+};
 
 double radius_shrinkage(std::uint32_t pass) {
   double squared = 1.0;
@@ -57,23 +126,15 @@ Caustics::State Caustics::prepare(ThreadPool& pool) {
 }
 
 bool Caustics::measure_widths(ThreadPool& pool) {
-  constexpr int side = 64;
   const PathTracer tracer(scene_, {settings_.max_depth, Interreflection::full, CausticMethod::off});
-  const Wavelengths wavelengths = Wavelengths::sample(0.5);
-  const camera::Cone cone =
-      camera::pixel_cone(scene_.camera(), {double(settings_.width), double(settings_.height)});
-  std::vector<double> found(side * side);
-  pool.parallel_for(side, 1, [&](IndexRange rows) {
+  std::vector<double> found(small_side * small_side);
+  pool.parallel_for(small_side, 1, [&](IndexRange rows) {
     Counters counters;
-    for (std::size_t i = rows.begin * side; i < rows.end * side; ++i) {
-      const PixelSampler points(settings_.seed, static_cast<std::uint32_t>(i % side),
-                                static_cast<std::uint32_t>(i / side), probing_pass);
-      const Block8 u = points.block(0);
-      const Vec2d film{(static_cast<double>(i % side) + u[0]) / side,
-                       (static_cast<double>(i / side) + u[1]) / side};
-      const auto ray = camera::generate_ray(scene_.camera(), {film, {u[2], u[3]}, u[4]});
+    for (std::size_t i = rows.begin * small_side; i < rows.end * small_side; ++i) {
+      const SmallSample sample(settings_, i, probing_pass);
+      const auto ray = sample.ray(scene_.camera());
       if (!ray) continue;
-      const auto place = tracer.first_wide(*ray, {wavelengths, points, counters, cone});
+      const auto place = tracer.first_wide(*ray, sample.context(scene_.camera(), counters));
       if (place) found[i] = place->width;
     }
   });
@@ -90,8 +151,91 @@ bool Caustics::measure_widths(ThreadPool& pool) {
   return true;
 }
 
+Caustics::SmallPicture::Pixel Caustics::SmallPicture::render(const Caustics& caustics,
+                                                             const PathTracer& tracer,
+                                                             const CausticPass& pass,
+                                                             std::size_t index,
+                                                             Counters& counters) {
+  Pixel pixel;
+  double sum = 0.0, squares = 0.0;
+  for (std::uint32_t i = 0; i < small_samples; ++i) {
+    const SmallSample sample(caustics.settings_, index, probing_pass + i);
+    const auto ray = sample.ray(caustics.scene_.camera());
+    if (!ray) continue;
+    SampleContext context = sample.context(caustics.scene_.camera(), counters);
+    context.caustics = &pass;
+    context.gathered = &pixel.gathered;
+    const std::size_t before = pixel.gathered.size();
+    FirstSurface first;
+    const double radiance = tracer.radiance(*ray, context, first).average();
+    double of_path = radiance;
+    for (std::size_t g = before; g < pixel.gathered.size(); ++g) {
+      of_path -= pixel.gathered[g].radiance;
+    }
+    pixel.radiance += radiance / small_samples;
+    sum += of_path;
+    squares += of_path * of_path;
+  }
+  pixel.variance_of_paths =
+      std::max(0.0, squares - sum * sum / small_samples) / (small_samples - 1);
+  return pixel;
+}
+
+Caustics::SmallPicture Caustics::render_small(const CausticPass& pass, ThreadPool& pool) const {
+  const PathTracer tracer(scene_, {settings_.max_depth, Interreflection::full, settings_.method});
+  SmallPicture picture;
+  picture.pixels.resize(small_side * small_side);
+  std::array<std::uint64_t, small_side> rays{};
+  pool.parallel_for(small_side, 1, [&](IndexRange rows) {
+    for (std::size_t row = rows.begin; row < rows.end; ++row) {
+      Counters counters;
+      for (std::size_t i = row * small_side; i < (row + 1) * small_side; ++i) {
+        picture.pixels[i] = SmallPicture::render(*this, tracer, pass, i, counters);
+      }
+      rays[row] = counters.nearest_queries + counters.occlusion_queries;
+    }
+  });
+  for (const std::uint64_t some : rays) picture.cost += static_cast<double>(some);
+  picture.cost /= small_side * small_side * small_samples;
+  return picture;
+}
+
+Caustics::Judgement Caustics::judge(Yield yield, std::uint32_t count, ThreadPool& pool) const {
+  const std::vector<Useful> useful = std::move(yield.useful);
+  Judgement judgement;
+  judgement.cost_of_photons = static_cast<double>(yield.counters.nearest_queries) / count;
+  judgement.left = static_cast<double>(yield.photons.size()) / count;
+  const double pixels = double(settings_.width) * double(settings_.height);
+  const CausticPass pass =
+      pass_of(std::move(yield), count, small_radius * std::sqrt(pixels) / small_side);
+  const SmallPicture picture = render_small(pass, pool);
+
+  const double tolerated = tolerated_share * picture.mean_radiance();
+  std::vector<double> worth(count);
+  std::vector<double> of_paths, of_photons;
+  for (const SmallPicture::Pixel& pixel : picture.pixels) {
+    const double scale = 1.0 / (pixel.radiance + tolerated);
+    if (!std::isfinite(scale)) continue;
+    double photons = 0.0;
+    for (const GatheredPhoton& given : pixel.gathered) {
+      const double share = given.radiance * scale;
+      worth[given.number] += share * share;
+      photons += share * share / small_samples;
+    }
+    of_paths.push_back(pixel.variance_of_paths * scale * scale);
+    of_photons.push_back(photons);
+  }
+  judgement.variance_of_paths = trimmed_mean(of_paths);
+  constexpr double widths = small_radius * small_radius / (first_radius * first_radius);
+  judgement.variance_of_photons =
+      trimmed_mean(of_photons) * widths * count / static_cast<double>(picture.pixels.size());
+  judgement.cost_of_paths = picture.cost;
+  for (const auto& [number, origin] : useful) judgement.lessons.push_back({origin, worth[number]});
+  return judgement;
+}
+
 bool Caustics::learn(ThreadPool& pool) {
-  const Wavelengths wavelengths = Wavelengths::sample(0.5);
+  const Wavelengths& wavelengths = probing_wavelengths();
   std::uint32_t pass = probing_pass;
   const double pixels = double(settings_.width) * double(settings_.height);
   // Of the order of a pass, and no more than a grid can learn from.
@@ -100,20 +244,30 @@ bool Caustics::learn(ThreadPool& pool) {
   for (int tries = 0; tries < 3; ++tries, count *= 4) {
     const Yield yield = emit(pass++, count, wavelengths, pool);
     if (yield.useful.empty()) continue;
-    emitter_.learn(yield.useful);
-    // What it has learned decides how many photons are emitted for those that are wanted.
-    const std::uint32_t again = count / 4;
-    const Yield now = emit(pass++, again, wavelengths, pool);
-    const double useful = static_cast<double>(now.useful.size()) / again;
-    const double traced = static_cast<double>(now.counters.photons_traced) / again;
-    const double wanted =
-        std::min({std::min(photons_per_pixel * pixels, most_useful) / useful,
-                  most_traced_per_pixel * pixels / traced, most_emitted_per_pixel * pixels});
-    photons_per_pass_ =
-        static_cast<std::uint32_t>(std::clamp(wanted, 1024.0, double{most_per_pass}));
+    // First where there is anything to be had at all, and then what it is worth.
+    std::vector<PhotonEmitter::Lesson> any;
+    for (const Useful& useful : yield.useful) any.push_back({useful.origin, 1.0});
+    emitter_.learn(any, count);
+    emitter_.learn(judge(emit(pass++, count, wavelengths, pool), count, pool).lessons, count);
+    // What it has learned decides how many photons are emitted.
+    photons_per_pass_ = best_number(judge(emit(pass++, count, wavelengths, pool), count, pool));
     return true;
   }
   return false;
+}
+
+// Of n photons a pixel the cost of a pass is proportional to c + n d, and its error to v + w / n:
+// their product is least at n^2 = c w / (d v).
+std::uint32_t Caustics::best_number(const Judgement& judgement) const {
+  const double pixels = double(settings_.width) * double(settings_.height);
+  const double photons = judgement.variance_of_photons * mean_inverse_shrinkage;
+  const double squared =
+      judgement.cost_of_paths * photons / (judgement.cost_of_photons * judgement.variance_of_paths);
+  // Where nothing is left of either, more photons do no harm.
+  const double per_pixel = std::isnan(squared) ? most_per_pixel : std::sqrt(squared);
+  const double wanted = std::clamp(per_pixel, fewest_per_pixel, most_per_pixel) * pixels;
+  return static_cast<std::uint32_t>(
+      std::clamp(std::min(wanted, most_left / judgement.left), 1024.0, double{most_per_pass}));
 }
 
 Caustics::Yield Caustics::emit(std::uint32_t pass, std::uint32_t count,
@@ -126,9 +280,10 @@ Caustics::Yield Caustics::emit(std::uint32_t pass, std::uint32_t count,
       Yield& mine = parts[part];
       for (std::size_t i = part * chunk; i < end; ++i) {
         const std::size_t before = mine.photons.size();
-        const auto drawn = tracer_.trace({settings_.seed, pass, static_cast<std::uint32_t>(i)},
-                                         wavelengths, origin, mine.photons, mine.counters);
-        if (mine.photons.size() > before) mine.useful.push_back(*drawn);
+        const auto number = static_cast<std::uint32_t>(i);
+        const auto drawn = tracer_.trace({settings_.seed, pass, number}, wavelengths, origin,
+                                         mine.photons, mine.counters);
+        if (mine.photons.size() > before) mine.useful.push_back({number, *drawn});
       }
     }
   });
@@ -145,14 +300,18 @@ Caustics::Yield Caustics::emit(std::uint32_t pass, std::uint32_t count,
   return yield;
 }
 
+CausticPass Caustics::pass_of(Yield yield, std::uint32_t count, double radius_per_width) const {
+  const PhotonMap::Radii radii{widths_.smallest * radius_per_width,
+                               widths_.largest * radius_per_width};
+  return {&emitter_, PhotonMap(std::move(yield.photons), origin_of(scene_), radii),
+          static_cast<double>(count), radius_per_width};
+}
+
 CausticPass Caustics::trace(std::uint32_t pass, const Wavelengths& wavelengths, ThreadPool& pool,
                             Counters& counters) const {
   Yield yield = emit(pass, photons_per_pass_, wavelengths, pool);
   counters += yield.counters;
-  const double per_width = first_radius * radius_shrinkage(pass);
-  const PhotonMap::Radii radii{widths_.smallest * per_width, widths_.largest * per_width};
-  return {&emitter_, PhotonMap(std::move(yield.photons), origin_of(scene_), radii),
-          static_cast<double>(photons_per_pass_), per_width};
+  return pass_of(std::move(yield), photons_per_pass_, first_radius * radius_shrinkage(pass));
 }
 
 }  // namespace lapidary::transport

@@ -44,9 +44,14 @@ class Caustics {
   std::uint32_t photons_per_pass() const { return photons_per_pass_; }
 
  private:
+  /// An emission that left photons.
+  struct Useful {
+    std::uint32_t number = 0;
+    PhotonEmitter::Origin origin;
+  };
   struct Yield {
     std::vector<Photon> photons;
-    std::vector<PhotonEmitter::Origin> useful;  ///< what the photons were that left any
+    std::vector<Useful> useful;  ///< by ascending number
     Counters counters;
   };
   Yield emit(std::uint32_t pass, std::uint32_t count, const Wavelengths& wavelengths,
@@ -54,6 +59,20 @@ class Caustics {
   State prepare(ThreadPool& pool);
   bool measure_widths(ThreadPool& pool);
   bool learn(ThreadPool& pool);
+  /// What a small picture that gathers the photons of `count` emissions says of them. Variances are
+  /// relative, of one sample of a pixel, the worst pixels left out; costs are rays.
+  struct Judgement {
+    std::vector<PhotonEmitter::Lesson> lessons;
+    double variance_of_paths = 0, cost_of_paths = 0;
+    /// With one emission a pixel, at the radius of the first pass; cost of one emission.
+    double variance_of_photons = 0, cost_of_photons = 0;
+    double left = 0;  ///< photons on surfaces, of one emission
+  };
+  Judgement judge(Yield yield, std::uint32_t count, ThreadPool& pool) const;
+  std::uint32_t best_number(const Judgement& judgement) const;
+  struct SmallPicture;
+  SmallPicture render_small(const CausticPass& pass, ThreadPool& pool) const;
+  CausticPass pass_of(Yield yield, std::uint32_t count, double radius_per_width) const;
 
   const scene::Scene& scene_;
   Settings settings_;

@@ -28,12 +28,27 @@ void check_memory(std::uint32_t photons) {
               "fewer photons with a larger radius are as smooth");
 }
 
-Box3d mapped_part(const geometry::World& world) {
-  const Box3d box = world.bounds();
-  if (box.empty()) return {{-3, -3, -3}, {3, 3, 3}};
-  const double size = max_component(box.extent());
-  const Vec3d more{size, size, size};
-  return {box.min - more, box.max + more};
+/// How far from its middle photons count that fall on what is not bounded.
+double reach(const scene::Scene& scene, const light::Ball& around,
+             const std::vector<FallenPhoton>& photons) {
+  constexpr double share = 0.8;
+  if (!scene.infinite_lights().empty()) return around.radius;
+  std::vector<float> distances;
+  for (const FallenPhoton& photon : photons) {
+    if (is_unbounded(scene.world(), photon.place.key)) distances.push_back(photon.distance);
+  }
+  if (distances.empty()) return around.radius;
+  const auto nth = static_cast<std::ptrdiff_t>(share * static_cast<double>(distances.size() - 1));
+  std::nth_element(distances.begin(), distances.begin() + nth, distances.end());
+  return std::max(around.radius, static_cast<double>(distances[static_cast<std::size_t>(nth)]));
+}
+
+void leave_out_far_ones(const scene::Scene& scene, const light::Ball& around,
+                        std::vector<FallenPhoton>& photons) {
+  const auto most = static_cast<float>(reach(scene, around, photons));
+  std::erase_if(photons, [&](const FallenPhoton& photon) {
+    return photon.distance > most && is_unbounded(scene.world(), photon.place.key);
+  });
 }
 
 std::vector<Wavelengths> spread_wavelengths(std::uint64_t seed) {
@@ -75,7 +90,6 @@ std::optional<std::vector<FallenPhoton>> trace_photons(const scene::Scene& scene
   if (!emitter.is_useful()) return {};
   const PhotonTracer tracer(scene, emitter, budget.max_depth, budget.light);
   const std::vector<Wavelengths> wavelengths = spread_wavelengths(budget.seed);
-  const Box3d part = mapped_part(scene.world());
   const std::size_t count = budget.photons;
   const float share = 1.0f / static_cast<float>(count);
 
@@ -86,12 +100,12 @@ std::optional<std::vector<FallenPhoton>> trace_photons(const scene::Scene& scene
       const Wavelengths* own = nullptr;  // the photon's
       const auto leave = [&](const PhotonTracer::Arrival& at) {
         const geometry::Surface& surface = at.walk.surface();
-        if (!part.contains(surface.p)) return;
         const bool from_front = dot(surface.geometric_normal, at.walk.ray().direction) < 0.0;
         const Rgb rgb = own->to_rgb(at.power * share);
         mine.photons.push_back({place_on_surface(scene.world(), at.walk.hit(), surface),
                                 {rgb.r, rgb.g, rgb.b, 0.0f},
                                 scene.object_index(at.walk.hit()),
+                                static_cast<float>(length(surface.p - emitter.around().center)),
                                 from_front ? SurfaceSide::front : SurfaceSide::back});
       };
       const PhotonTracer::Leave leave_here = std::ref(leave);
@@ -102,7 +116,9 @@ std::optional<std::vector<FallenPhoton>> trace_photons(const scene::Scene& scene
       }
     }
   });
-  return joined(yields, counters);
+  std::vector<FallenPhoton> photons = joined(yields, counters);
+  leave_out_far_ones(scene, emitter.around(), photons);
+  return photons;
 }
 
 }  // namespace lapidary::transport

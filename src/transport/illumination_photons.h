@@ -17,6 +17,7 @@ struct FallenPhoton {
   SurfacePlace place;
   SampledSpectrum power;     ///< red, green and blue, and 0 [W]; all photons together are the light
   std::uint32_t object = 0;  ///< scene::Scene::object_index
+  float distance = 0;        ///< from the middle of PhotonEmitter::around
   SurfaceSide side = SurfaceSide::front;
 };
 
@@ -27,9 +28,10 @@ struct PhotonBudget {
   std::uint64_t seed = 0;
 };
 
-/// Photons from all lights to everywhere; each has wavelengths of its own. Those that fall beyond
-/// the bounds of everything bounded, grown by their longest side on each side, are left out; where
-/// nothing is bounded, beyond a cube of side 6 about the origin.
+/// Photons from all lights to everywhere; each has wavelengths of its own. On surfaces that are not
+/// bounded, those that fall beyond PhotonEmitter::around are left out: of infinite lights not all
+/// falls there. Of others they count as far as four fifths of all on such surfaces fell, if that is
+/// further.
 ///
 /// Nothing if there is no light that sends out anything. The order does not depend on the number of
 /// threads. Failure: throws Error when memory may not hold them.

@@ -106,6 +106,15 @@ SurfacePlace place_on_surface(const geometry::World& world, const geometry::Hit&
   return {key, hit.worn_patch, uv};
 }
 
+bool is_unbounded(const geometry::World& world, const SurfaceKey& key) {
+  if (key.kind != SurfaceKind::solid) return false;
+  const geometry::Solid& solid = solid_of(world.solids(), key).solid();
+  if (std::holds_alternative<geometry::HalfSpace>(solid)) return true;
+  const bool may_be = std::holds_alternative<geometry::Quadric>(solid) ||
+                      std::holds_alternative<geometry::Polyhedron>(solid);
+  return may_be && !geometry::bounds(solid).bounded();
+}
+
 const geometry::TriangleMesh* MappedSurface::mesh_of(const geometry::World& world,
                                                      const SurfaceKey& key) {
   if (key.kind == SurfaceKind::triangle) return world.triangles().placement(key.index).mesh.get();

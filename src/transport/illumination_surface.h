@@ -32,6 +32,9 @@ struct SurfacePlace {
 SurfacePlace place_on_surface(const geometry::World& world, const geometry::Hit& hit,
                               const geometry::Surface& surface);
 
+/// Whether it may reach to infinity: a leaf that does, cut or not.
+bool is_unbounded(const geometry::World& world, const SurfaceKey& key);
+
 /// A surface cut into charts.
 class MappedSurface {
  public:

@@ -131,9 +131,16 @@ void Path::add_photons(const Vertex& vertex) {
   const bool gathers =
       fixed_.caustics == CausticMethod::automatic || fixed_.caustics == CausticMethod::photons;
   if (!gathers || wide_ > 0) return;
+  std::vector<GatheredPhoton>* const noted = fixed_.context.gathered;
+  const std::size_t before = noted != nullptr ? noted->size() : 0;
   L_ += beta_ *
         gather(*pass, {vertex, walk_.cone().width, fixed_.settings.max_depth - walk_.depth() - 1,
-                       walk_.carried(), fixed_.caustics});
+                       walk_.carried(), fixed_.caustics, noted});
+  if (noted == nullptr) return;
+  for (auto photon = noted->begin() + static_cast<std::ptrdiff_t>(before); photon != noted->end();
+       ++photon) {
+    photon->radiance *= beta_.average();
+  }
 }
 
 void Path::note_first(FirstSurface& first) const {

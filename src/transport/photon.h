@@ -19,7 +19,8 @@ struct Photon {
   /// their light [1/(m2 sr)], for weighing against chance hits. 0 after wide scattering: chance
   /// hits do not count there.
   float density = 0;
-  std::uint16_t depth = 0;  ///< scattering events between the light and here
+  std::uint32_t number = 0;  ///< of the emission it comes from, in its pass
+  std::uint16_t depth = 0;   ///< scattering events between the light and here
   bsdf::Carried carried = bsdf::Carried::all;
 };
 

@@ -128,6 +128,9 @@ PhotonEmitter::PhotonEmitter(const scene::Scene& scene, Aim aim) : scene_(scene)
   const Box3d box = scene.world().bounds();
   if (box.empty() && aim == Aim::casters) return;
   around_ = box.empty() ? Ball{{}, 1.0} : ball_around(box);
+  const geometry::SolidScene& solids = scene.world().solids();
+  const bool is_bounded = solids.world().unbounded().empty() && solids.regions_at_rest().empty();
+  if (aim == Aim::everywhere && !is_bounded) around_.radius *= 2.0;
   targets_ = gather_targets(scene.casters(), box, most_targets);
   if (targets_.empty() && aim == Aim::casters) return;
   all_bounded_ = std::all_of(scene.casters().begin(), scene.casters().end(),
@@ -151,30 +154,49 @@ void PhotonEmitter::set_probabilities(std::span<const double> weights) {
   }
 }
 
-void PhotonEmitter::learn(std::span<const Origin> useful) {
-  if (useful.empty()) return;
-  std::vector<std::vector<double>> counts(proposals_.size());
-  std::vector<double> weights(proposals_.size());
-  for (const auto& [proposal, square] : useful) {
-    std::vector<double>& count = counts[proposal];
-    count.resize(guide_width * guide_width);
+void PhotonEmitter::learn(std::span<const Lesson> lessons, std::uint32_t emitted) {
+  constexpr std::size_t cells = guide_width * guide_width;
+  std::vector<std::vector<double>> wanted(proposals_.size());
+  std::vector<std::size_t> seen(proposals_.size());
+  for (const auto& [origin, worth] : lessons) {
+    std::vector<double>& grid = wanted[origin.proposal];
+    grid.resize(cells);
     const auto along = [](double u) {
       return std::min(static_cast<std::size_t>(u * guide_width), guide_width - 1);
     };
-    count[along(square.y) * guide_width + along(square.x)] += 1.0;
-    weights[proposal] += 1.0;
+    grid[along(origin.square.y) * guide_width + along(origin.square.x)] += worth;
+    ++seen[origin.proposal];
   }
-  const auto all = static_cast<double>(useful.size());
+  std::vector<double> weights(proposals_.size());
+  double all = 0.0;
   for (std::size_t i = 0; i < proposals_.size(); ++i) {
-    const double seen = weights[i];
-    weights[i] = std::lerp(seen / all, proposals_[i].probability, kept_share);
+    for (std::size_t cell = 0; cell < wanted[i].size(); ++cell) {
+      const double drawn = emitted * proposals_[i].probability * density_of_cell(i, cell) / cells;
+      wanted[i][cell] = std::sqrt(drawn * wanted[i][cell]);
+      weights[i] += wanted[i][cell];
+    }
+    all += weights[i];
+  }
+  if (!(all > 0.0)) return;
+  for (std::size_t i = 0; i < proposals_.size(); ++i) {
     // Of a few photons a grid would know little.
-    if (seen < guide_width) continue;
-    const double kept = kept_share * seen / (guide_width * guide_width);
-    for (double& count : counts[i]) count = (1.0 - kept_share) * count + kept;
-    proposals_[i].guide.emplace(counts[i], guide_width);
+    if (seen[i] >= guide_width && weights[i] > 0.0) {
+      for (std::size_t cell = 0; cell < cells; ++cell) {
+        const double before = density_of_cell(i, cell) * weights[i] / cells;
+        wanted[i][cell] = std::lerp(wanted[i][cell], before, kept_share);
+      }
+      proposals_[i].guide.emplace(wanted[i], guide_width);
+    }
+    weights[i] = std::lerp(weights[i] / all, proposals_[i].probability, kept_share);
   }
   set_probabilities(weights);
+}
+
+/// The density on a proposal's square in a cell of the grid.
+double PhotonEmitter::density_of_cell(std::size_t proposal, std::size_t cell) const {
+  return proposals_[proposal].density(
+      {(static_cast<double>(cell % guide_width) + 0.5) / guide_width,
+       (static_cast<double>(cell / guide_width) + 0.5) / guide_width});
 }
 
 /// By the light that reaches the target, or the scene.

@@ -29,7 +29,8 @@ enum class Aim {
 ///
 /// What photons of a first phase did teaches the emitter which proposals, and within them which
 /// directions or places, are worth most; a share stays as it was. Source: after Grittmann et al.
-/// 2018, "Efficient Caustic Rendering with Lightweight Photon Mapping".
+/// 2018, "Efficient Caustic Rendering with Lightweight Photon Mapping", and, for the worth, Gruson
+/// et al. 2016, "A Spatial Target Function for Metropolis Photon Tracing".
 class PhotonEmitter {
  public:
   /// The scene must outlive the emitter.
@@ -37,6 +38,11 @@ class PhotonEmitter {
 
   /// Whether there is a light that photons can leave and, if aimed at casters, one of these.
   bool is_useful() const { return chosen_.has_value(); }
+
+  /// Everything that is lit as it should be; of radius 1 about the origin when nothing is bounded.
+  /// That of all that is bounded, and where photons go everywhere and something is not, twice as
+  /// large.
+  const light::Ball& around() const { return around_; }
 
   /// What an emission is drawn with: uniform in [0, 1).
   struct Numbers {
@@ -51,8 +57,15 @@ class PhotonEmitter {
     std::uint32_t proposal = 0;
     Vec2d square;
   };
-  /// Learns from photons that brought a caustic's light somewhere. Once, before it is shared.
-  void learn(std::span<const Origin> useful);
+  /// What a photon of a first phase was worth: the sum, over all that look at the picture, of the
+  /// square of what it gave to them over the error that they would not mind.
+  struct Lesson {
+    Origin origin;
+    double worth = 0;
+  };
+  /// Learns from the photons of `emitted` that were worth anything. Of all densities, the one in
+  /// proportion to the root of the mean square has the least variance. Once, before it is shared.
+  void learn(std::span<const Lesson> lessons, std::uint32_t emitted);
 
   /// Light that has left a light.
   struct Emission {
@@ -102,6 +115,7 @@ class PhotonEmitter {
   std::span<const Proposal> proposals_of(std::uint32_t light) const;
   double density_of_directions(std::uint32_t light, Vec3d direction) const;
   double density_of_places(std::uint32_t light, Vec3d p, Vec3d direction) const;
+  double density_of_cell(std::size_t proposal, std::size_t cell) const;
   void set_probabilities(std::span<const double> weights);
   std::optional<Emission> sample_finite(const Origin& origin, const Numbers& numbers, double part,
                                         const Wavelengths& wavelengths) const;
@@ -118,7 +132,7 @@ class PhotonEmitter {
 
   const scene::Scene& scene_;
   Aim aim_;
-  light::Ball around_;  ///< everything bounded; of radius 1 about the origin when nothing is
+  light::Ball around_;
   std::vector<Target> targets_;
   bool all_bounded_ = true;           ///< no caster reaches beyond the targets
   std::vector<Proposal> proposals_;   ///< in the order of lights

@@ -176,7 +176,7 @@ std::optional<PhotonEmitter::Origin> PhotonTracer::trace(const Number& number,
     const geometry::Surface& surface = at.walk.surface();
     const Vec3d wi = -at.walk.ray().direction, n = surface.geometric_normal;
     left.push_back({at.power, Vec3f(surface.p - origin), Vec3f(wi),
-                    Vec3f(dot(n, wi) < 0.0 ? -n : n), static_cast<float>(at.density),
+                    Vec3f(dot(n, wi) < 0.0 ? -n : n), static_cast<float>(at.density), number.index,
                     static_cast<std::uint16_t>(at.walk.depth()), at.walk.carried()});
   };
   return trace(number, wavelengths, leave, counters);

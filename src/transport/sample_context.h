@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "camera/cone.h"
 #include "math/vec.h"
 #include "sampling/sobol.h"
@@ -10,13 +13,20 @@ namespace lapidary::transport {
 
 struct CausticPass;
 
+/// What a photon gave to a path from the camera: the mean of its wavelengths [W/(m2 sr nm)].
+struct GatheredPhoton {
+  std::uint32_t number = 0;  ///< Photon::number
+  float radiance = 0;
+};
+
 /// What all samples of one pixel in one pass share.
 struct SampleContext {
   const Wavelengths& wavelengths;
   const PixelSampler& points;  ///< block 0 is the camera's, block 1 + n the n-th vertex's
   Counters& counters;
-  camera::Cone cone;                      ///< of the camera's ray
-  const CausticPass* caustics = nullptr;  ///< null: without photons
+  camera::Cone cone;                                ///< of the camera's ray
+  const CausticPass* caustics = nullptr;            ///< null: without photons
+  std::vector<GatheredPhoton>* gathered = nullptr;  ///< where to note them; null: nowhere
 };
 
 /// Which of a vertex's eight dimensions decides what. Neighbours (0,1), (2,3) are stratified

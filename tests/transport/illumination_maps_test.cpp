@@ -193,6 +193,29 @@ TEST(IlluminationMaps, OfCutLeavesInSeveralPlacesAreConstant) {
   }
 }
 
+// A plane under the sky has all of its light as far as it has a map, and is black beyond.
+TEST(IlluminationMaps, OfAPlaneAreRightAsFarAsTheyReach) {
+  const double L = 0.7;
+  TinyScene tiny;
+  tiny.add(geometry::HalfSpace{}, matte(0.0));
+  tiny.add(geometry::Rectangle{{-2, -2, -1}, {4, 0, 0}, {0, 4, 0}}, matte(0.0));
+  add_sky(tiny, L);
+  // The ball about the rectangle has a radius of 2.83, twice that at the height of the plane 5.57.
+  const Mapped mapped(tiny, settings(300000, PhotonLight::all, 1.0));
+  RunningMean inner, outer;
+  for (int i = 0; i < 60; ++i) {
+    const double phi = 2 * pi * i / 60;
+    const auto at = [&](double r) {
+      return mapped.irradiance(ray({r * std::cos(phi), r * std::sin(phi), 1}, {0, 0, -1}));
+    };
+    inner.add(at(1.0) / (pi * L));
+    outer.add(at(5.0) / (pi * L));
+    EXPECT_EQ(at(9.0), 0.0);
+  }
+  EXPECT_NEAR(inner.mean(), 1.0, 0.04);
+  EXPECT_NEAR(outer.mean(), 1.0, 0.08);
+}
+
 // A lamp right above a cube lights its top and nothing else, up to the very edge.
 TEST(IlluminationMaps, DoNotBleedFromChartToChart) {
   for (const bool is_mesh : {true, false}) {
