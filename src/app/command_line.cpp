@@ -110,12 +110,19 @@ void add_scene(CLI::App& verb, SceneArguments& scene) {
   add_choice(verb, "--up", scene.up, axes, "the axis of a bare mesh that points up (y for .obj)");
 }
 
-/// `--KEY VALUE` as another way to say `--render KEY=VALUE`; values are checked where those are.
+/// `--FLAG VALUE` as another way to say `--render KEY=VALUE`; values are checked where those are.
+struct Setting {
+  std::string flag, key, type, help;
+};
+void add_setting(CLI::App& verb, std::vector<Assignment>& settings, const Setting& setting) {
+  const auto take = [&settings, key = setting.key](const std::string& text) {
+    settings.push_back({key, text});
+  };
+  add_text(verb, "--" + setting.flag, setting.type, setting.help, take);
+}
 void add_setting(CLI::App& verb, const std::string& key, std::vector<Assignment>& settings,
                  const std::string& type, const std::string& help) {
-  add_text(verb, "--" + key, type, help, [&settings, key](const std::string& text) {
-    settings.push_back({key, text});
-  });
+  add_setting(verb, settings, {key, key, type, help});
 }
 
 void add_settings(CLI::App& verb, std::vector<Assignment>& settings) {
@@ -127,7 +134,8 @@ void add_settings(CLI::App& verb, std::vector<Assignment>& settings) {
               "stop after N samples per pixel; noisy ones take more");
   add_setting(verb, "time", settings, "SECONDS", "stop after so much wall time");
   add_setting(verb, "noise", settings, "E", "stop at this relative error");
-  add_setting(verb, "integrator", settings, "path|direct", "everything, or direct light only");
+  add_setting(verb, "integrator", settings, "path|direct|illumination",
+              "everything, direct light only, or the rest from maps");
   add_setting(verb, "seed", settings, "N", "another seed gives another noise");
 }
 
@@ -147,6 +155,40 @@ void declare(CLI::App& verb, RenderCommand& command) {
              "how to show progress (bar on a terminal)");
   verb.add_flag_callback(
       "--quiet", [&] { command.progress = ProgressStyle::none; }, "warnings and errors only");
+}
+
+void declare(CLI::App& verb, BakeCommand& command) {
+  using Light = BakeCommand::Light;
+  using Format = BakeCommand::Format;
+  add_scene(verb, command.scene);
+  add_text(verb, "-o", "DIR",
+           "the folder for the maps and index.json (the scene's name with _maps)",
+           [&](const std::string& text) { command.folder = text; });
+  const std::vector<std::pair<std::string, Light>> lights = {
+      {"all", Light::all}, {"indirect", Light::indirect}, {"caustics", Light::caustics}};
+  add_choice(verb, "--light", command.light, lights,
+             "which light: all, what was scattered, or focused light alone (all)");
+  const std::vector<std::pair<std::string, Format>> formats = {
+      {"exr", Format::exr}, {"png", Format::png}, {"hdr", Format::hdr}};
+  add_choice(verb, "--format", command.format, formats,
+             "linear .exr or .hdr, or .png as a display shows it (exr)");
+  add_setting(verb, command.settings, {"photons", "map_photons", "N", "photons to send"});
+  add_setting(verb, command.settings,
+              {"radius", "map_radius", "R", "how far to blur, in scene units"});
+  add_setting(verb, command.settings,
+              {"filter", "map_filter", "gaussian|box", "blurs to circles, or crosses"});
+  add_setting(verb, command.settings,
+              {"resolution", "map_resolution", "N", "texels per scene unit"});
+  add_setting(verb, "seed", command.settings, "N", "another seed gives another noise");
+  add_texts(verb, "--render", "KEY=VALUE", "any other key of the scene's tables",
+            [&](const std::string& text) {
+              command.settings.push_back(parse_assignment("--render", text));
+            });
+  add_text(verb, "--threads", "N", "threads to work with (all)", [&](const std::string& text) {
+    command.threads = number_in("--threads", text, 1, 1024);
+  });
+  verb.add_flag_callback(
+      "--quiet", [&] { command.is_quiet = true; }, "warnings and errors only");
 }
 
 void declare(CLI::App& verb, CheckCommand& command) {
@@ -255,9 +297,10 @@ Command parse_as(const Verb& verb, Strings arguments) {
   return command;
 }
 
-const std::array<Verb, 5>& verbs() {
-  static const std::array<Verb, 5> all = {{
+const std::array<Verb, 6>& verbs() {
+  static const std::array<Verb, 6> all = {{
       {"render", "make a picture of a scene or a mesh", parse_as<RenderCommand>},
+      {"bake", "write the light on every surface as images", parse_as<BakeCommand>},
       {"check", "say what a scene holds and what is wrong with it", parse_as<CheckCommand>},
       {"probe", "list every surface along a ray, as JSON", parse_as<ProbeCommand>},
       {"compare", "print how far a picture is from a reference", parse_as<CompareCommand>},
@@ -283,9 +326,10 @@ UsageError unknown_verb(const std::string& name) {
   std::vector<std::string_view> names;
   for (const Verb& verb : verbs()) names.push_back(verb.name);
   const std::string suggestion = schema::did_you_mean(name, names);
-  return UsageError(
-      fmt::format("unknown verb '{}'", name),
-      suggestion.empty() ? "the verbs are render, check, probe, compare and help" : suggestion);
+  return UsageError(fmt::format("unknown verb '{}'", name),
+                    suggestion.empty()
+                        ? "the verbs are render, bake, check, probe, compare and help"
+                        : suggestion);
 }
 
 }  // namespace

@@ -41,6 +41,20 @@ struct RenderCommand {
   ProgressStyle progress = ProgressStyle::automatic;
 };
 
+/// lapidary bake
+struct BakeCommand {
+  enum class Light { all, indirect, caustics };
+  enum class Format { exr, png, hdr };
+
+  SceneArguments scene;
+  std::vector<Assignment> settings;  ///< as RenderCommand's
+  std::string folder;                ///< empty: the scene's name with _maps
+  Light light = Light::all;
+  Format format = Format::exr;
+  int threads = 0;  ///< 0: all
+  bool is_quiet = false;
+};
+
 /// lapidary check
 struct CheckCommand {
   SceneArguments scene;
@@ -74,8 +88,8 @@ struct ShowText {
   std::string text;
 };
 
-using Command =
-    std::variant<RenderCommand, CheckCommand, ProbeCommand, CompareCommand, HelpCommand, ShowText>;
+using Command = std::variant<RenderCommand, BakeCommand, CheckCommand, ProbeCommand, CompareCommand,
+                             HelpCommand, ShowText>;
 
 /// The command line makes no sense.
 class UsageError : public std::runtime_error {

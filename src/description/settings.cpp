@@ -13,6 +13,7 @@ namespace lapidary::schema {
 
 using description::Caustics;
 using description::FilterKind;
+using description::IlluminationFilter;
 using description::Integrator;
 using description::LightChoice;
 using description::PictureSize;
@@ -27,8 +28,16 @@ struct EnumNames<ToneCurve> {
 
 template <>
 struct EnumNames<Integrator> {
-  static constexpr std::array<std::pair<std::string_view, Integrator>, 2> names{
-      {{"path", Integrator::path}, {"direct", Integrator::direct}}};
+  static constexpr std::array<std::pair<std::string_view, Integrator>, 3> names{
+      {{"path", Integrator::path},
+       {"direct", Integrator::direct},
+       {"illumination", Integrator::illumination}}};
+};
+
+template <>
+struct EnumNames<IlluminationFilter> {
+  static constexpr std::array<std::pair<std::string_view, IlluminationFilter>, 2> names{
+      {{"gaussian", IlluminationFilter::gaussian}, {"box", IlluminationFilter::box}}};
 };
 
 template <>
@@ -130,7 +139,8 @@ Declaration<RenderSettings> declare_render() {
           {.doc = "Relative error to reach.", .range = {.min = 0, .max = 1, .min_end = open}})
       .parameter("integrator", &R::integrator,
                  {.doc = "\"path\" follows all light; \"direct\" is quick, without "
-                         "interreflection."})
+                         "interreflection; \"illumination\" is quick, with all of it blurred in "
+                         "maps of photons on the surfaces."})
       .parameter("max_depth", &R::max_depth,
                  {.doc = "Most scattering events of a path.", .range = {.min = 1, .max = 65535}})
       .parameter("caustics", &R::caustics,
@@ -144,6 +154,19 @@ Declaration<RenderSettings> declare_render() {
       .parameter("light_choice", &R::light_choice,
                  {.doc = "What the light for a point is chosen by: \"tree\" looks at where the "
                          "lights are and which way they shine, \"power\" does not."})
+      .parameter("map_photons", [](R& r) -> int& { return r.illumination.photons; },
+                 {.doc = "Photons for illumination maps.", .range = {.min = 1, .max = 1e9}})
+      .parameter("map_radius", [](R& r) -> std::optional<double>& { return r.illumination.radius; },
+                 {.doc = "How far illumination maps are blurred; by how densely photons fell when "
+                         "left out.",
+                  .unit = Unit::length,
+                  .range = schema::positive})
+      .parameter("map_filter", [](R& r) -> IlluminationFilter& { return r.illumination.filter; },
+                 {.doc = "\"gaussian\" blurs illumination maps to circles, \"box\" to crosses."})
+      .parameter("map_resolution",
+                 [](R& r) -> std::optional<double>& { return r.illumination.resolution; },
+                 {.doc = "Texels of illumination maps per scene unit; by the radius when left out.",
+                  .range = schema::positive})
       .parameter("filter", [](R& r) -> FilterKind& { return r.filter.kind; },
                  {.doc = "How samples spread over pixels."})
       .parameter("filter_radius", [](R& r) -> std::optional<double>& { return r.filter.radius; },

@@ -20,7 +20,7 @@ struct PictureSize {
   bool operator==(const PictureSize&) const = default;
 };
 
-enum class Integrator { path, direct };
+enum class Integrator { path, direct, illumination };
 
 /// What next-event estimation chooses one of many lights by.
 enum class LightChoice {
@@ -45,6 +45,16 @@ struct FilterSettings {
   std::optional<double> radius;  ///< pixels; none: the kind's own
 };
 
+enum class IlluminationFilter { gaussian, box };
+
+/// How illumination maps are made.
+struct IlluminationSettings {
+  int photons = 1'000'000;
+  std::optional<double> radius;  ///< of the blur, scene units; none: by the photons
+  IlluminationFilter filter = IlluminationFilter::gaussian;
+  std::optional<double> resolution;  ///< texels per scene unit; none: by the radius
+};
+
 /// What to render and when to stop: at the first of the limits that are given, or after a default
 /// number of samples when none is.
 struct RenderSettings {
@@ -57,6 +67,7 @@ struct RenderSettings {
   Caustics caustics = Caustics::automatic;
   Sampling sampling = Sampling::adaptive;
   LightChoice light_choice = LightChoice::tree;
+  IlluminationSettings illumination;
   FilterSettings filter;
   std::uint64_t seed = 0;
 };

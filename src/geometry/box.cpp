@@ -62,4 +62,20 @@ BoundaryPoint sample_boundary(const Box& box, Vec2d u, double u_patch) {
   return {p, outward_normal(box, patch, p), patch, 1.0 / total};
 }
 
+std::vector<UvChart> uv_charts(const Box&) {
+  std::vector<UvChart> charts(6);
+  for (Patch patch = 0; patch < 6; ++patch) charts[patch].first = charts[patch].last = patch;
+  return charts;
+}
+
+std::optional<PatchPoint> point_at(const Box& box, const UvChart& chart, Vec2d uv) {
+  const Patch patch = chart.first;
+  const FaceAxes axes = face_axes(patch);
+  const Vec3d e = box.max - box.min;
+  Vec3d p = patch % 2 == 0 ? box.min : box.max;
+  p[axes.u] = box.min[axes.u] + (axes.u_backwards ? 1.0 - uv.x : uv.x) * e[axes.u];
+  p[axes.v] = box.min[axes.v] + uv.y * e[axes.v];
+  return PatchPoint{patch, p};
+}
+
 }  // namespace lapidary::geometry

@@ -2,6 +2,7 @@
 
 #include "geometry/interval_events.h"
 #include "geometry/surface_point.h"
+#include "geometry/uv_chart.h"
 #include "math/interval.h"
 
 namespace lapidary::geometry {
@@ -105,5 +106,9 @@ SurfaceUv surface_uv(const Box& box, Patch patch, Vec3d p);
 Box3d bounds(const Box& box);
 double area(const Box& box);
 BoundaryPoint sample_boundary(const Box& box, Vec2d u, double u_patch);
+/// The pieces that make up the surface, and the point of a piece that has these coordinates:
+/// the inverse of surface_uv, to a few roundings. Nothing where there is none.
+std::vector<UvChart> uv_charts(const Box& box);
+std::optional<PatchPoint> point_at(const Box& box, const UvChart& chart, Vec2d uv);
 
 }  // namespace lapidary::geometry

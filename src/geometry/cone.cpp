@@ -116,4 +116,32 @@ BoundaryPoint sample_boundary(const Cone& cone, Vec2d u, double u_patch) {
   return b;
 }
 
+std::vector<UvChart> uv_charts(const Cone& cone) {
+  UvChart side;
+  side.u = ChartEnd::seam;
+  std::vector<UvChart> charts{side};
+  for (const Patch cap : {Patch{1}, Patch{2}}) {
+    if ((cap == 1 ? cone.radius : cone.radius2) == 0.0) continue;
+    UvChart& chart = charts.emplace_back();
+    chart.first = chart.last = cap;
+  }
+  return charts;
+}
+
+std::optional<PatchPoint> point_at(const Cone& cone, const UvChart& chart, Vec2d uv) {
+  const Vec3d a = cone.to - cone.from;
+  const Frame frame = Frame::from_normal(normalize(a));
+  if (chart.first != 0) {
+    const bool is_top = chart.first == 2;
+    const double r = is_top ? cone.radius2 : cone.radius;
+    const Vec2d q = Vec2d{uv.x - 0.5, is_top ? uv.y - 0.5 : 0.5 - uv.y} * (2.0 * r);
+    if (q.x * q.x + q.y * q.y > r * r) return {};
+    return PatchPoint{chart.first,
+                      (is_top ? cone.to : cone.from) + frame.tangent * q.x + frame.bitangent * q.y};
+  }
+  const double phi = 2.0 * pi * uv.x, r = std::lerp(cone.radius, cone.radius2, uv.y);
+  const Vec3d radial = frame.tangent * std::cos(phi) + frame.bitangent * std::sin(phi);
+  return PatchPoint{0, cone.from + a * uv.y + radial * r};
+}
+
 }  // namespace lapidary::geometry

@@ -2,6 +2,7 @@
 
 #include "geometry/interval_events.h"
 #include "geometry/surface_point.h"
+#include "geometry/uv_chart.h"
 #include "math/interval.h"
 
 namespace lapidary::geometry {
@@ -28,6 +29,10 @@ bool contains(const Cone& cone, Vec3d p);
 Box3d bounds(const Cone& cone);
 double area(const Cone& cone);
 BoundaryPoint sample_boundary(const Cone& cone, Vec2d u, double u_patch);
+/// The pieces that make up the surface, and the point of a piece that has these coordinates:
+/// the inverse of surface_uv, to a few roundings. Nothing where there is none.
+std::vector<UvChart> uv_charts(const Cone& cone);
+std::optional<PatchPoint> point_at(const Cone& cone, const UvChart& chart, Vec2d uv);
 
 /// Length of the side from cap to cap.
 double slant_height(const Cone& cone);

@@ -175,4 +175,27 @@ BoundaryPoint sample_boundary(const Cylinder& cylinder, Vec2d u, double u_patch)
   return {cylinder.from + a * u.y + radial * r, radial, 0, pdf};
 }
 
+std::vector<UvChart> uv_charts(const Cylinder&) {
+  std::vector<UvChart> charts(3);
+  for (Patch patch = 0; patch < 3; ++patch) charts[patch].first = charts[patch].last = patch;
+  charts[0].u = ChartEnd::seam;
+  return charts;
+}
+
+std::optional<PatchPoint> point_at(const Cylinder& cylinder, const UvChart& chart, Vec2d uv) {
+  const Vec3d a = cylinder.to - cylinder.from;
+  const Frame frame = Frame::from_normal(normalize(a));
+  const double r = cylinder.radius;
+  if (chart.first != 0) {
+    const bool is_top = chart.first == 2;
+    const Vec2d q = Vec2d{uv.x - 0.5, is_top ? uv.y - 0.5 : 0.5 - uv.y} * (2.0 * r);
+    if (q.x * q.x + q.y * q.y > r * r) return {};
+    return PatchPoint{chart.first, (is_top ? cylinder.to : cylinder.from) + frame.tangent * q.x +
+                                       frame.bitangent * q.y};
+  }
+  const double phi = 2.0 * pi * uv.x;
+  const Vec3d radial = frame.tangent * std::cos(phi) + frame.bitangent * std::sin(phi);
+  return PatchPoint{0, cylinder.from + a * uv.y + radial * r};
+}
+
 }  // namespace lapidary::geometry

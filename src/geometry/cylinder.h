@@ -2,6 +2,7 @@
 
 #include "geometry/interval_events.h"
 #include "geometry/surface_point.h"
+#include "geometry/uv_chart.h"
 #include "math/interval.h"
 
 namespace lapidary::geometry {
@@ -27,5 +28,9 @@ bool contains(const Cylinder& cylinder, Vec3d p);
 Box3d bounds(const Cylinder& cylinder);
 double area(const Cylinder& cylinder);
 BoundaryPoint sample_boundary(const Cylinder& cylinder, Vec2d u, double u_patch);
+/// The pieces that make up the surface, and the point of a piece that has these coordinates:
+/// the inverse of surface_uv, to a few roundings. Nothing where there is none.
+std::vector<UvChart> uv_charts(const Cylinder& cylinder);
+std::optional<PatchPoint> point_at(const Cylinder& cylinder, const UvChart& chart, Vec2d uv);
 
 }  // namespace lapidary::geometry

@@ -28,4 +28,13 @@ BoundaryPoint sample_boundary(const HalfSpace& half_space, Vec2d, double) {
   return {half_space.point, normalize(half_space.normal), 0, 0.0};
 }
 
+std::vector<UvChart> uv_charts(const HalfSpace&) {
+  return {planar_chart(0)};
+}
+
+std::optional<PatchPoint> point_at(const HalfSpace& half_space, const UvChart& chart, Vec2d uv) {
+  const Frame frame = Frame::from_normal(normalize(half_space.normal));
+  return PatchPoint{chart.first, half_space.point + frame.tangent * uv.x + frame.bitangent * uv.y};
+}
+
 }  // namespace lapidary::geometry

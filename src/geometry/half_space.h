@@ -3,6 +3,7 @@
 #include "geometry/interval_events.h"
 #include "geometry/plane_crossing.h"
 #include "geometry/surface_point.h"
+#include "geometry/uv_chart.h"
 #include "math/interval.h"
 
 namespace lapidary::geometry {
@@ -41,5 +42,9 @@ SurfaceUv surface_uv(const HalfSpace& half_space, Patch patch, Vec3d p);
 Box3d bounds(const HalfSpace& half_space);
 double area(const HalfSpace& half_space);
 BoundaryPoint sample_boundary(const HalfSpace& half_space, Vec2d u, double u_patch);
+/// The pieces that make up the surface, and the point of a piece that has these coordinates:
+/// the inverse of surface_uv, to a few roundings. Nothing where there is none.
+std::vector<UvChart> uv_charts(const HalfSpace& half_space);
+std::optional<PatchPoint> point_at(const HalfSpace& half_space, const UvChart& chart, Vec2d uv);
 
 }  // namespace lapidary::geometry

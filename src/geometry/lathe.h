@@ -5,6 +5,7 @@
 #include "geometry/interval_events.h"
 #include "geometry/polygon.h"
 #include "geometry/surface_point.h"
+#include "geometry/uv_chart.h"
 #include "math/interval.h"
 #include "math/transform.h"
 
@@ -44,6 +45,8 @@ class Lathe {
   friend bool contains(const Lathe& lathe, Vec3d p);
   friend double area(const Lathe& lathe);
   friend BoundaryPoint sample_boundary(const Lathe& lathe, Vec2d u, double u_patch);
+  friend std::vector<UvChart> uv_charts(const Lathe& lathe);
+  friend std::optional<PatchPoint> point_at(const Lathe& lathe, const UvChart& chart, Vec2d uv);
   friend Box3d affine_bounds(const Lathe& lathe, const Transform& map);
   friend double affine_area(const Lathe& lathe, const Mat3& linear);
 
@@ -64,6 +67,10 @@ bool contains(const Lathe& lathe, Vec3d p);
 Box3d bounds(const Lathe& lathe);
 double area(const Lathe& lathe);
 BoundaryPoint sample_boundary(const Lathe& lathe, Vec2d u, double u_patch);
+/// The pieces that make up the surface, and the point of a piece that has these coordinates:
+/// the inverse of surface_uv, to a few roundings. Nothing where there is none.
+std::vector<UvChart> uv_charts(const Lathe& lathe);
+std::optional<PatchPoint> point_at(const Lathe& lathe, const UvChart& chart, Vec2d uv);
 
 /// Negative, 0 or positive: a total order by what lathes are, to the bit.
 int compare_content(const Lathe& a, const Lathe& b);

@@ -145,4 +145,76 @@ BoundaryPoint sample_boundary(const Lathe& lathe, Vec2d u, double u_patch) {
   return b;
 }
 
+namespace {
+
+bool is_on_axis(const Data& data, std::size_t edge) {
+  return data.corners[edge].r == 0.0 && data.corners[data.edges[edge].to].r == 0.0;
+}
+
+/// Of a run: whether it ends at a corner on the axis that is no tip.
+ChartEnd end_on_axis(const Data& data, std::size_t edge, std::uint32_t corner) {
+  const Corner along = data.along(edge);
+  const bool is_flat = std::abs(along.height) < std::abs(along.r);
+  const bool is_pole = data.corners[corner].r == 0.0 && is_flat && data.is_whole();
+  return is_pole ? ChartEnd::pole : ChartEnd::border;
+}
+
+UvChart chart_of_run(const Data& data, const SmoothRun& run) {
+  UvChart chart;
+  chart.first = Data::first_edge + static_cast<Patch>(run.first);
+  chart.last = Data::first_edge + static_cast<Patch>(run.last);
+  chart.min.y = data.edges[run.first].texture_from;
+  chart.max.y = data.edges[run.last].texture_to;
+  if (data.is_whole()) chart.u = ChartEnd::seam;
+  if (run.is_closed) {
+    chart.v_low = chart.v_high = ChartEnd::seam;
+  } else {
+    chart.v_low = end_on_axis(data, run.first, static_cast<std::uint32_t>(run.first));
+    chart.v_high = end_on_axis(data, run.last, data.edges[run.last].to);
+  }
+  return chart;
+}
+
+}  // namespace
+
+std::vector<UvChart> uv_charts(const Lathe& lathe) {
+  const Data& data = *lathe.data_;
+  const auto joins = [&](std::size_t i, std::size_t j) {
+    const Corner a = data.along(i), b = data.along(j);
+    const double sizes = std::hypot(a.r, a.height) * std::hypot(b.r, b.height);
+    return a.r * b.r + a.height * b.height > cos_smooth_turn * sizes;
+  };
+  const auto exists = [&](std::size_t i) { return !is_on_axis(data, i); };
+  std::vector<SmoothRun> runs;
+  for (std::size_t begin = 0, end = 1; begin < data.edges.size(); begin = end++) {
+    while (end < data.edges.size() && data.edges[end].texture_from > 0.0) ++end;
+    cut_into_runs(begin, end, joins, exists, runs);
+  }
+  std::vector<UvChart> charts;
+  if (!data.is_whole()) {
+    charts = {planar_chart(Data::start_cap), planar_chart(Data::end_cap)};
+  }
+  for (const SmoothRun& run : runs) charts.push_back(chart_of_run(data, run));
+  return charts;
+}
+
+std::optional<PatchPoint> point_at(const Lathe& lathe, const UvChart& chart, Vec2d uv) {
+  const Data& data = *lathe.data_;
+  if (chart.first == Data::start_cap) return PatchPoint{chart.first, {uv.x, 0.0, uv.y}};
+  if (chart.first == Data::end_cap) {
+    return PatchPoint{chart.first, {-data.end.x * uv.x, -data.end.y * uv.x, uv.y}};
+  }
+  const auto first = data.edges.begin() + (chart.first - Data::first_edge);
+  const auto last = data.edges.begin() + (chart.last - Data::first_edge);
+  const auto edge =
+      std::partition_point(first, last, [&](const Data::Edge& e) { return e.texture_to < uv.y; });
+  const auto index = static_cast<std::size_t>(edge - data.edges.begin());
+  const double share = (uv.y - edge->texture_from) / (edge->texture_to - edge->texture_from);
+  const Corner from = data.corners[index], along = data.along(index);
+  const double phi = data.turn * uv.x, r = from.r + along.r * share;
+  return PatchPoint{
+      Data::first_edge + static_cast<Patch>(index),
+      {r * std::cos(phi), r * std::sin(phi), data.base + from.height + along.height * share}};
+}
+
 }  // namespace lapidary::geometry

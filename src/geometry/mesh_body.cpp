@@ -121,4 +121,12 @@ double affine_area(const MeshBody& body, const Mat3& linear) {
   return body.data_->shell.affine_area(linear);
 }
 
+std::vector<UvChart> uv_charts(const MeshBody&) {
+  return {};
+}
+
+std::optional<PatchPoint> point_at(const MeshBody&, const UvChart&, Vec2d) {
+  return {};
+}
+
 }  // namespace lapidary::geometry

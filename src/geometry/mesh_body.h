@@ -5,6 +5,7 @@
 #include "geometry/interval_events.h"
 #include "geometry/surface_point.h"
 #include "geometry/triangle_mesh.h"
+#include "geometry/uv_chart.h"
 #include "math/interval.h"
 #include "math/transform.h"
 
@@ -55,6 +56,9 @@ bool contains(const MeshBody& body, Vec3d p);
 Box3d bounds(const MeshBody& body);
 double area(const MeshBody& body);
 BoundaryPoint sample_boundary(const MeshBody& body, Vec2d u, double u_patch);
+/// None and nothing: what a mesh is cut into is up to geometry/mesh_chart.h.
+std::vector<UvChart> uv_charts(const MeshBody& body);
+std::optional<PatchPoint> point_at(const MeshBody& body, const UvChart& chart, Vec2d uv);
 
 /// Of the image under a map.
 Box3d affine_bounds(const MeshBody& body, const Transform& map);

@@ -173,6 +173,19 @@ SurfaceUv surface_uv(const PlacedSolid& placed, Patch patch, Vec3d p) {
   return {own.uv, m * own.dpdu, m * own.dpdv};
 }
 
+std::optional<PatchPoint> point_at(const PlacedSolid& placed, const UvChart& chart, Vec2d uv) {
+  const OwnSpace* space = placed.own_space();
+  if (space == nullptr) return point_at(placed.shape(), chart, uv);
+  auto at = point_at(placed.solid(), chart, uv);
+  if (at) at->p = space->world_from_own().point(at->p);
+  return at;
+}
+
+bool is_of(const PlacedSolid& placed, const UvChart& chart, Patch patch, Vec3d p) {
+  const OwnSpace* space = placed.own_space();
+  return is_of(placed.solid(), chart, patch, space == nullptr ? p : space->point(p));
+}
+
 bool contains(const PlacedSolid& placed, Vec3d p) {
   if (placed.space() == PlacedSolid::Space::world) return contains(placed.shape(), p);
   return contains(placed.shape(), placed.own_space()->point(p));

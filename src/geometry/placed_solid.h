@@ -66,6 +66,9 @@ inline void intervals(const PlacedSolid& placed, const Line& line, EventBuffer& 
 Vec3d outward_normal(const PlacedSolid& placed, Patch patch, Vec3d p);
 /// As stated for the solid itself: textures stay with their solid under every map.
 SurfaceUv surface_uv(const PlacedSolid& placed, Patch patch, Vec3d p);
+/// In the world: as of the solid itself.
+std::optional<PatchPoint> point_at(const PlacedSolid& placed, const UvChart& chart, Vec2d uv);
+bool is_of(const PlacedSolid& placed, const UvChart& chart, Patch patch, Vec3d p);
 bool contains(const PlacedSolid& placed, Vec3d p);
 /// Contains the exact image; tight to rounding.
 Box3d bounds(const PlacedSolid& placed);

@@ -168,4 +168,16 @@ double affine_area(const Polyhedron& polyhedron, const Mat3& linear) {
   return area;
 }
 
+std::vector<UvChart> uv_charts(const Polyhedron& polyhedron) {
+  std::vector<UvChart> charts;
+  for (Patch face = 0; face < polyhedron.face_count(); ++face) {
+    charts.push_back(planar_chart(face));
+  }
+  return charts;
+}
+
+std::optional<PatchPoint> point_at(const Polyhedron& polyhedron, const UvChart& chart, Vec2d uv) {
+  return point_at(polyhedron.face(chart.first), chart, uv);
+}
+
 }  // namespace lapidary::geometry

@@ -7,6 +7,7 @@
 #include "geometry/half_space.h"
 #include "geometry/interval_events.h"
 #include "geometry/surface_point.h"
+#include "geometry/uv_chart.h"
 #include "math/interval.h"
 #include "math/transform.h"
 
@@ -68,6 +69,10 @@ bool contains(const Polyhedron& polyhedron, Vec3d p);
 Box3d bounds(const Polyhedron& polyhedron);
 double area(const Polyhedron& polyhedron);
 BoundaryPoint sample_boundary(const Polyhedron& polyhedron, Vec2d u, double u_patch);
+/// The pieces that make up the surface, and the point of a piece that has these coordinates:
+/// the inverse of surface_uv, to a few roundings. Nothing where there is none.
+std::vector<UvChart> uv_charts(const Polyhedron& polyhedron);
+std::optional<PatchPoint> point_at(const Polyhedron& polyhedron, const UvChart& chart, Vec2d uv);
 
 /// Of the image under a map.
 Box3d affine_bounds(const Polyhedron& polyhedron, const Transform& map);

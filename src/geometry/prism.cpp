@@ -203,4 +203,47 @@ int compare_content(const Prism& a, const Prism& b) {
   return std::memcmp(p.sides.data(), q.sides.data(), p.sides.size() * sizeof(Prism::Data::Side));
 }
 
+std::vector<UvChart> uv_charts(const Prism& prism) {
+  const auto& sides = prism.data_->sides;
+  const auto along = [&](std::size_t i) {
+    const Vec2d way = sides[i].to - sides[i].from;
+    return way * (1.0 / std::hypot(way.x, way.y));
+  };
+  const auto joins = [&](std::size_t i, std::size_t j) {
+    const Vec2d a = along(i), b = along(j);
+    return a.x * b.x + a.y * b.y > cos_smooth_turn;
+  };
+  std::vector<SmoothRun> runs;
+  for (std::size_t begin = 0, end = 1; begin < sides.size(); begin = end++) {
+    while (end < sides.size() && sides[end].u_from > 0.0) ++end;
+    cut_into_runs(
+        begin, end, joins, [](std::size_t) { return true; }, runs);
+  }
+  std::vector<UvChart> charts{planar_chart(bottom), planar_chart(top)};
+  if (prism.data_->scale == 0.0) charts.pop_back();
+  for (const SmoothRun& run : runs) {
+    UvChart& chart = charts.emplace_back();
+    chart.first = first_side + static_cast<Patch>(run.first);
+    chart.last = first_side + static_cast<Patch>(run.last);
+    chart.min.x = sides[run.first].u_from, chart.max.x = sides[run.last].u_to;
+    if (run.is_closed) chart.u = ChartEnd::seam;
+  }
+  return charts;
+}
+
+std::optional<PatchPoint> point_at(const Prism& prism, const UvChart& chart, Vec2d uv) {
+  const Prism::Data& data = *prism.data_;
+  if (chart.first == bottom) return PatchPoint{bottom, {uv.x, -uv.y, 0.0}};
+  if (chart.first == top) return PatchPoint{top, {uv.x, uv.y, data.height}};
+  const auto first = data.sides.begin() + (chart.first - first_side);
+  const auto last = data.sides.begin() + (chart.last - first_side);
+  const auto side =
+      std::partition_point(first, last, [&](const Prism::Data::Side& s) { return s.u_to < uv.x; });
+  const double share = (uv.x - side->u_from) / (side->u_to - side->u_from);
+  const Vec2d foot = side->from + (side->to - side->from) * share;
+  const double height = uv.y * data.height, width = data.width(height);
+  return PatchPoint{first_side + static_cast<Patch>(side - data.sides.begin()),
+                    {foot.x * width, foot.y * width, height}};
+}
+
 }  // namespace lapidary::geometry

@@ -5,6 +5,7 @@
 #include "geometry/interval_events.h"
 #include "geometry/polygon.h"
 #include "geometry/surface_point.h"
+#include "geometry/uv_chart.h"
 #include "math/interval.h"
 #include "math/transform.h"
 
@@ -39,6 +40,8 @@ class Prism {
   friend Box3d bounds(const Prism& prism);
   friend double area(const Prism& prism);
   friend BoundaryPoint sample_boundary(const Prism& prism, Vec2d u, double u_patch);
+  friend std::vector<UvChart> uv_charts(const Prism& prism);
+  friend std::optional<PatchPoint> point_at(const Prism& prism, const UvChart& chart, Vec2d uv);
   friend Box3d affine_bounds(const Prism& prism, const Transform& map);
   friend double affine_area(const Prism& prism, const Mat3& linear);
 
@@ -58,6 +61,10 @@ bool contains(const Prism& prism, Vec3d p);
 Box3d bounds(const Prism& prism);
 double area(const Prism& prism);
 BoundaryPoint sample_boundary(const Prism& prism, Vec2d u, double u_patch);
+/// The pieces that make up the surface, and the point of a piece that has these coordinates:
+/// the inverse of surface_uv, to a few roundings. Nothing where there is none.
+std::vector<UvChart> uv_charts(const Prism& prism);
+std::optional<PatchPoint> point_at(const Prism& prism, const UvChart& chart, Vec2d uv);
 
 /// Negative, 0 or positive: a total order by what prisms are, to the bit.
 int compare_content(const Prism& a, const Prism& b);

@@ -69,4 +69,36 @@ double sampling_pdf_area(const Quadric& quadric, Patch, Vec3d p) {
   return 1.0 / (4.0 * pi * length(cofactors(ellipsoid->axes) * n));
 }
 
+std::uint32_t facing_of(const Quadric& quadric, Vec3d p) {
+  const Vec3d n = outward_normal(quadric, 0, p), size = abs(n);
+  const std::uint32_t axis = size.z >= std::max(size.x, size.y) ? 2 : size.x >= size.y ? 0 : 1;
+  return 2 * axis + (n[axis] > 0.0 ? 1 : 0);
+}
+
+std::vector<UvChart> uv_charts(const Quadric&) {
+  std::vector<UvChart> charts(6, planar_chart(0));
+  for (std::uint32_t facing = 0; facing < 6; ++facing) charts[facing].facing = facing;
+  return charts;
+}
+
+/// Of the two points on a line along an axis f grows at one and falls at the other, and so the
+/// normals point to different sides.
+std::optional<PatchPoint> point_at(const Quadric& quadric, const UvChart& chart, Vec2d uv) {
+  const std::size_t axis = chart.facing / 2, u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
+  const bool is_forwards = chart.facing % 2 != 0;
+  Vec3d p;
+  p[u] = is_forwards == (axis != 1) ? uv.x : -uv.x;
+  p[v] = uv.y;
+  const double a = quadric.form->squares[axis], c = value_at(*quadric.form, p);
+  const double half_b = 0.5 * gradient_at(*quadric.form, p)[axis];
+  const double discriminant = half_b * half_b - a * c;
+  if (!(discriminant >= 0.0)) return {};
+  // Where f grows its derivative, 2 (a t + b/2), is +2 root.
+  const double root = is_forwards ? std::sqrt(discriminant) : -std::sqrt(discriminant);
+  const bool cancels = (half_b > 0.0) == (root > 0.0);
+  p[axis] = cancels ? -c / (half_b + root) : (root - half_b) / a;
+  if (!std::isfinite(p[axis]) || facing_of(quadric, p) != chart.facing) return {};
+  return PatchPoint{0, p};
+}
+
 }  // namespace lapidary::geometry

@@ -5,6 +5,7 @@
 
 #include "geometry/interval_events.h"
 #include "geometry/surface_point.h"
+#include "geometry/uv_chart.h"
 #include "math/interval.h"
 #include "math/transform.h"
 
@@ -56,6 +57,8 @@ void intervals(const Quadric& quadric, const Line& line, EventBuffer& events);
 Vec3d outward_normal(const Quadric& quadric, Patch patch, Vec3d p);
 SurfaceUv surface_uv(const Quadric& quadric, Patch patch, Vec3d p);
 bool contains(const Quadric& quadric, Vec3d p);
+/// Of a point of the surface, as UvChart::facing.
+std::uint32_t facing_of(const Quadric& quadric, Vec3d p);
 /// Infinite along each axis along which the solid is, and where rounding cannot tell.
 Box3d bounds(const Quadric& quadric);
 /// Finite for ellipsoids, and for what is outside of one; 0 for an empty one.
@@ -63,6 +66,10 @@ double area(const Quadric& quadric);
 /// Of an ellipsoid the uniform distribution over the sphere it is an image of; anything else cannot
 /// be sampled.
 BoundaryPoint sample_boundary(const Quadric& quadric, Vec2d u, double u_patch);
+/// The pieces that make up the surface, and the point of a piece that has these coordinates:
+/// the inverse of surface_uv, to a few roundings. Nothing where there is none.
+std::vector<UvChart> uv_charts(const Quadric& quadric);
+std::optional<PatchPoint> point_at(const Quadric& quadric, const UvChart& chart, Vec2d uv);
 double sampling_pdf_area(const Quadric& quadric, Patch patch, Vec3d p);
 
 /// Nothing when the surface is of another kind, or rounding cannot tell.

@@ -86,4 +86,19 @@ std::optional<Solid> transformed(const Solid& solid, const Transform& world_from
   return std::visit([&](const auto& kind) { return image(kind, world_from_object); }, solid);
 }
 
+std::vector<UvChart> uv_charts(const Solid& solid) {
+  return std::visit([](const auto& kind) { return uv_charts(kind); }, solid);
+}
+
+std::optional<PatchPoint> point_at(const Solid& solid, const UvChart& chart, Vec2d uv) {
+  return std::visit([&](const auto& kind) { return point_at(kind, chart, uv); }, solid);
+}
+
+bool is_of(const Solid& solid, const UvChart& chart, Patch patch, Vec3d p) {
+  if (patch < chart.first || patch > chart.last) return false;
+  if (chart.facing == UvChart::faces_anywhere) return true;
+  const auto* quadric = std::get_if<Quadric>(&solid);
+  return quadric != nullptr && facing_of(*quadric, p) == chart.facing;
+}
+
 }  // namespace lapidary::geometry

@@ -30,6 +30,8 @@ namespace lapidary::geometry {
 ///   bool contains(const Kind&, Vec3d p);                      closed point membership
 ///   Box3d bounds(const Kind&);                                tight, may be infinite
 ///   double area(const Kind&);                                 of the boundary, may be infinite
+///   std::vector<UvChart> uv_charts(const Kind&);              smooth pieces of it
+///   std::optional<PatchPoint> point_at(const Kind&, const UvChart&, Vec2d uv);    inverse of uv
 ///   BoundaryPoint sample_boundary(const Kind&, Vec2d u, double u_patch);   uniform by area, or
 ///   double sampling_pdf_area(const Kind&, Patch, Vec3d p);                 with this density
 ///
@@ -60,6 +62,14 @@ double area(const Solid& solid);
 BoundaryPoint sample_boundary(const Solid& solid, Vec2d u, double u_patch);
 /// The density of sample_boundary, per unit area, at a point of the boundary.
 double sampling_pdf_area(const Solid& solid, Patch patch, Vec3d p);
+
+/// The pieces that make up the surface; none of a mesh, which geometry/mesh_chart.h cuts up.
+std::vector<UvChart> uv_charts(const Solid& solid);
+/// The point of a piece that has these coordinates: the inverse of surface_uv, to a few roundings.
+/// Nothing where there is none, or where it belongs to another piece.
+std::optional<PatchPoint> point_at(const Solid& solid, const UvChart& chart, Vec2d uv);
+/// Whether a point of the boundary is of this piece.
+bool is_of(const Solid& solid, const UvChart& chart, Patch patch, Vec3d p);
 
 /// The image of the solid under a map, where it is a solid of the same kind with the same patches:
 /// spheres, cylinders, cones and tori under similarities, boxes and superellipsoids under positive

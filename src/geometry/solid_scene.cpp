@@ -117,6 +117,15 @@ SurfaceUv SolidScene::surface_uv(std::uint32_t place, std::uint32_t leaf, Patch 
   });
 }
 
+std::optional<PatchPoint> SolidScene::point_at(std::uint32_t place, std::uint32_t leaf,
+                                               const UvChart& chart, Vec2d uv, double time) const {
+  auto at = geometry::point_at(compound(place).leaf(leaf).solid, chart, uv);
+  if (!at || place == 0) return at;
+  return places_[place - 1].at(time, [&](const OwnSpace& space) {
+    return std::optional(PatchPoint{at->patch, space.world_from_own().point(at->p)});
+  });
+}
+
 std::size_t SolidScene::leaf_count() const {
   std::size_t count = world_.stated_leaves();
   for (const Place& place : places_) count += assemblies_[place.assembly].stated_leaves();

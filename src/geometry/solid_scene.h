@@ -82,6 +82,9 @@ class SolidScene {
   bool is_same_crossing(const LeafPatch& at, const Ray& ray, double a, double b) const;
   SurfaceUv surface_uv(std::uint32_t place, std::uint32_t leaf, Patch patch, Vec3d p,
                        double time = 0) const;
+  /// The inverse, on one piece of a leaf. Nothing where that has no such point.
+  std::optional<PatchPoint> point_at(std::uint32_t place, std::uint32_t leaf, const UvChart& chart,
+                                     Vec2d uv, double time = 0) const;
 
   std::size_t leaf_count() const;  ///< instanced ones each time they appear
   std::size_t bytes() const;

@@ -2,6 +2,7 @@
 
 #include "geometry/interval_events.h"
 #include "geometry/surface_point.h"
+#include "geometry/uv_chart.h"
 #include "math/interval.h"
 #include "math/transform.h"
 
@@ -36,6 +37,10 @@ Box3d bounds(const Superellipsoid& solid);
 double area(const Superellipsoid& solid);
 /// Uniform by the direction of (x, y, z).
 BoundaryPoint sample_boundary(const Superellipsoid& solid, Vec2d u, double u_patch);
+/// The pieces that make up the surface, and the point of a piece that has these coordinates:
+/// the inverse of surface_uv, to a few roundings. Nothing where there is none.
+std::vector<UvChart> uv_charts(const Superellipsoid& solid);
+std::optional<PatchPoint> point_at(const Superellipsoid& solid, const UvChart& chart, Vec2d uv);
 double sampling_pdf_area(const Superellipsoid& solid, Patch patch, Vec3d p);
 
 /// Accuracy: a few roundings.

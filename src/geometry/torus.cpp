@@ -96,4 +96,22 @@ BoundaryPoint sample_boundary(const Torus& torus, Vec2d u, double) {
   return {torus.center + radial * R + normal * r, normalize(normal), 0, 1.0 / area(torus)};
 }
 
+std::vector<UvChart> uv_charts(const Torus& torus) {
+  UvChart chart;
+  chart.u = ChartEnd::seam;
+  // At the dents it has an edge: a dent is not flat.
+  chart.v_low = chart.v_high =
+      torus.minor_radius <= torus.major_radius ? ChartEnd::seam : ChartEnd::border;
+  return {chart};
+}
+
+std::optional<PatchPoint> point_at(const Torus& torus, const UvChart&, Vec2d uv) {
+  const Frame frame = Frame::from_normal(torus.axis);
+  const double phi = 2.0 * pi * uv.x, angle = (2.0 * uv.y - 1.0) * profile_angle(torus);
+  const Vec3d radial = frame.tangent * std::cos(phi) + frame.bitangent * std::sin(phi);
+  return PatchPoint{0, torus.center +
+                           radial * (torus.major_radius + torus.minor_radius * std::cos(angle)) +
+                           torus.axis * (torus.minor_radius * std::sin(angle))};
+}
+
 }  // namespace lapidary::geometry

@@ -2,6 +2,7 @@
 
 #include "geometry/interval_events.h"
 #include "geometry/surface_point.h"
+#include "geometry/uv_chart.h"
 #include "math/interval.h"
 
 namespace lapidary::geometry {
@@ -31,6 +32,10 @@ bool contains(const Torus& torus, Vec3d p);
 Box3d bounds(const Torus& torus);
 double area(const Torus& torus);
 BoundaryPoint sample_boundary(const Torus& torus, Vec2d u, double u_patch);
+/// The pieces that make up the surface, and the point of a piece that has these coordinates:
+/// the inverse of surface_uv, to a few roundings. Nothing where there is none.
+std::vector<UvChart> uv_charts(const Torus& torus);
+std::optional<PatchPoint> point_at(const Torus& torus, const UvChart& chart, Vec2d uv);
 
 /// The profile of the surface is the arc of the disk's rim from -a to a, as angles from the outer
 /// equator: a = pi for a ring, less where the disk reaches over the axis.

@@ -35,7 +35,11 @@ BlockRenderer::BlockRenderer(const scene::Scene& scene, const SampleSettings& se
                 pool),
       cone_(camera::pixel_cone(scene.camera(), {static_cast<double>(picture.width),
                                                 static_cast<double>(picture.height)})),
-      tile_(picture.tile) {}
+      tile_(picture.tile) {
+  if (!settings.illumination) return;
+  maps_.emplace(scene, *settings.illumination, pool);
+  map_tracer_.emplace(scene, *maps_, settings.path.max_depth);
+}
 
 film::PixelSample BlockRenderer::sample_pixel(Vec2d size, int x, int y, const Pass& pass,
                                               std::uint32_t number,
@@ -49,10 +53,10 @@ film::PixelSample BlockRenderer::sample_pixel(Vec2d size, int x, int y, const Pa
   if (!ray) return {};
 
   transport::FirstSurface first;
-  const SampledSpectrum L = tracer_.radiance(
-      *ray,
-      {pass.wavelengths, points, counters, pass.cone, pass.caustics ? &*pass.caustics : nullptr},
-      first);
+  const transport::SampleContext context{pass.wavelengths, points, counters, pass.cone,
+                                         pass.caustics ? &*pass.caustics : nullptr};
+  const SampledSpectrum L = map_tracer_ ? map_tracer_->radiance(*ray, context, first)
+                                        : tracer_.radiance(*ray, context, first);
   return {pass.wavelengths.to_rgb(L), first.albedo, Vec3f(first.normal),
           static_cast<float>(first.depth), first.object};
 }

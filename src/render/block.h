@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/parallel.h"
@@ -9,6 +10,7 @@
 #include "sampling/filter.h"
 #include "scene/scene.h"
 #include "transport/caustics.h"
+#include "transport/illumination_tracer.h"
 
 namespace lapidary::render {
 
@@ -37,6 +39,8 @@ struct SampleSettings {
   FilterSampler filter;
   std::uint64_t seed = 0;
   Sampling sampling = Sampling::adaptive;
+  /// How illumination maps are made, where paths end in these.
+  std::optional<transport::IlluminationMaps::Settings> illumination = std::nullopt;
 };
 
 /// What rendering a block cost and met.
@@ -61,12 +65,18 @@ class BlockRenderer {
     int tile = 16;  ///< side, in pixels, of the squares that threads take; changes no result
   };
 
-  /// Probes the scene for caustics, on the threads of `pool`.
+  /// Probes the scene for caustics, or makes its illumination maps, on the threads of `pool`.
+  /// Failure: throws Error as IlluminationMaps does.
   BlockRenderer(const scene::Scene& scene, const SampleSettings& settings, const Picture& picture,
                 ThreadPool& pool);
 
+  BlockRenderer(const BlockRenderer&) = delete;
+  BlockRenderer& operator=(const BlockRenderer&) = delete;
+
   const transport::Caustics& caustics() const { return caustics_; }
   Sampling sampling() const { return settings_.sampling; }
+  /// Null unless paths end in maps.
+  const transport::IlluminationMaps* illumination() const { return maps_ ? &*maps_ : nullptr; }
 
   /// Adds passes to a film of the picture's size; all of them in the epoch of the map.
   BlockTally render(PassRange passes, const SampleMap& map, film::Film& film,
@@ -89,6 +99,8 @@ class BlockRenderer {
   SampleSettings settings_;
   transport::PathTracer tracer_;
   transport::Caustics caustics_;
+  std::optional<transport::IlluminationMaps> maps_;
+  std::optional<transport::IlluminationTracer> map_tracer_;
   camera::Cone cone_;  ///< of a pixel
   int tile_;
 };

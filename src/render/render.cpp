@@ -134,13 +134,31 @@ StopRules stop_rules(const description::RenderSettings& settings) {
   return rules;
 }
 
+transport::IlluminationMaps::Settings illumination_settings(
+    const description::RenderSettings& settings) {
+  transport::IlluminationMaps::Settings maps;
+  maps.budget.photons = static_cast<std::uint32_t>(settings.illumination.photons);
+  maps.budget.max_depth = settings.max_depth;
+  maps.budget.seed = settings.seed;
+  maps.radius = settings.illumination.radius;
+  maps.filter = settings.illumination.filter == description::IlluminationFilter::box
+                    ? transport::BlurFilter::box
+                    : transport::BlurFilter::gaussian;
+  maps.resolution = settings.illumination.resolution;
+  return maps;
+}
+
 SampleSettings sample_settings(const description::RenderSettings& settings) {
-  return {
+  SampleSettings sampling{
       {settings.max_depth, interreflection(settings.integrator), caustic_method(settings.caustics)},
       filter_sampler(settings.filter),
       settings.seed,
       settings.sampling == description::Sampling::adaptive ? Sampling::adaptive
                                                            : Sampling::uniform};
+  if (settings.integrator == description::Integrator::illumination) {
+    sampling.illumination = illumination_settings(settings);
+  }
+  return sampling;
 }
 
 void check_size(const description::PictureSize& size) {

@@ -22,6 +22,10 @@ struct StopRules {
 /// The limits that the settings of a scene state; 256 samples when they state none.
 StopRules stop_rules(const description::RenderSettings& settings);
 
+/// As the settings of a scene state them, for indirect light.
+transport::IlluminationMaps::Settings illumination_settings(
+    const description::RenderSettings& settings);
+
 SampleSettings sample_settings(const description::RenderSettings& settings);
 
 /// Refuses pictures that are empty or that memory cannot hold. Throws Error.

@@ -11,7 +11,13 @@
 
 namespace lapidary::transport {
 
-/// Sends photons from lights towards what may focus them.
+/// Where photons are of use.
+enum class Aim {
+  casters,     ///< where they may be focused: what misses all targets is not traced
+  everywhere,  ///< on every surface; those that may be focused are drawn more densely
+};
+
+/// Sends photons from lights towards what may focus them, or everywhere.
 ///
 /// Every photon belongs to one proposal: a light with a target, a ball around some casters, or with
 /// none. From a light of finite extent the direction is uniform in the cone that holds all
@@ -28,10 +34,15 @@ namespace lapidary::transport {
 class PhotonEmitter {
  public:
   /// The scene must outlive the emitter.
-  explicit PhotonEmitter(const scene::Scene& scene);
+  explicit PhotonEmitter(const scene::Scene& scene, Aim aim = Aim::casters);
 
-  /// Whether there is a light that photons can leave and something that they can be aimed at.
+  /// Whether there is a light that photons can leave and, if aimed at casters, one of these.
   bool is_useful() const { return chosen_.has_value(); }
+
+  /// Everything that is lit as it should be; of radius 1 about the origin when nothing is bounded.
+  /// That of all that is bounded, and where photons go everywhere and something is not, twice as
+  /// large.
+  const light::Ball& around() const { return around_; }
 
   /// What an emission is drawn with: uniform in [0, 1).
   struct Numbers {
@@ -116,11 +127,12 @@ class PhotonEmitter {
   const light::Ball& ball_of(const Proposal& proposal) const {
     return proposal.target == no_target ? around_ : targets_[proposal.target].ball;
   }
-  /// False only where there is nothing to be focused by.
+  /// False only where there is nothing to be focused by, and that is what photons are for.
   bool may_meet(Vec3d origin, Vec3d direction) const;
 
   const scene::Scene& scene_;
-  light::Ball around_;  ///< everything bounded
+  Aim aim_;
+  light::Ball around_;
   std::vector<Target> targets_;
   bool all_bounded_ = true;           ///< no caster reaches beyond the targets
   std::vector<Proposal> proposals_;   ///< in the order of lights

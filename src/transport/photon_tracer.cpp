@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "bsdf/focus.h"
-#include "transport/walk.h"
 
 namespace lapidary::transport {
 namespace {
@@ -38,27 +37,23 @@ double off_surface(const light::Light& light) {
 /// A photon on its way.
 class PhotonTracer::Flight {
  public:
-  Flight(const PhotonTracer& tracer, const SampleContext& context, std::uint32_t number,
-         Vec3d origin, std::vector<Photon>& left)
-      : tracer_(tracer),
-        walk_(tracer.scene_, context),
-        number_(number),
-        origin_(origin),
-        left_(left) {}
+  Flight(const PhotonTracer& tracer, const SampleContext& context, const Leave& leave)
+      : tracer_(tracer), walk_(tracer.scene_, context), leave_(leave) {}
 
   void follow(const PhotonEmitter::Emission& emission);
 
  private:
-  bool is_of_caustic() const { return walk_.depth() > 0 || went_through_glass_; }
-  void leave_photon();
+  /// Whether it is left here. Of caustics alone nothing is scattered widely that is not theirs.
+  bool is_wanted() const {
+    return tracer_.wanted_ == PhotonLight::all || walk_.depth() > 0 || went_through_glass_;
+  }
+  bool is_in_opaque_solid() const;
   bool scatter(const Vertex& vertex, bool is_narrow);
   bool survives_roulette(SampledSpectrum before, double u);
 
   const PhotonTracer& tracer_;
   Walk walk_;
-  std::uint32_t number_;
-  Vec3d origin_;
-  std::vector<Photon>& left_;
+  const Leave& leave_;
   SampledSpectrum power_;
   double density_ = 0;  ///< of the emission, until it is scattered widely
   bool went_through_glass_ = false;
@@ -69,22 +64,21 @@ void PhotonTracer::Flight::follow(const PhotonEmitter::Emission& emission) {
   density_ = emission.extent == light::Extent::delta ? 0.0 : emission.density;
   walk_.start(emission.ray);
   while (walk_.depth() < tracer_.max_depth_ && walk_.advance()) {
+    if (is_in_opaque_solid()) return;
     power_ *= walk_.transmittance();
     went_through_glass_ = went_through_glass_ || walk_.went_through_glass();
     const Vertex vertex = walk_.vertex();
     const bool is_narrow = bsdf::is_narrow(vertex.bsdf);
-    if (!is_narrow && is_of_caustic()) leave_photon();
+    if (!is_narrow && is_wanted()) leave_({walk_, power_, density_});
     if (!scatter(vertex, is_narrow)) return;
   }
 }
 
-void PhotonTracer::Flight::leave_photon() {
-  const geometry::Surface& surface = walk_.surface();
-  const Vec3d wi = -walk_.ray().direction;
-  const Vec3d n = surface.geometric_normal;
-  left_.push_back({power_, Vec3f(surface.p - origin_), Vec3f(wi), Vec3f(dot(n, wi) < 0.0 ? -n : n),
-                   static_cast<float>(density_), number_, static_cast<std::uint16_t>(walk_.depth()),
-                   walk_.carried()});
+bool PhotonTracer::Flight::is_in_opaque_solid() const {
+  const geometry::SolidScene& solids = tracer_.scene_.world().solids();
+  const std::uint32_t region = walk_.hit().region_before;
+  return region != geometry::SolidScene::no_region &&
+         solids.region(region).opacity == geometry::Opacity::opaque;
 }
 
 bool PhotonTracer::Flight::scatter(const Vertex& vertex, bool is_narrow) {
@@ -94,7 +88,7 @@ bool PhotonTracer::Flight::scatter(const Vertex& vertex, bool is_narrow) {
   const bsdf::BsdfSample& sample = way->sample;
   const bool is_wide = sample.lobe != Lobe::specular && !is_narrow;
   // What falls on it straight from the light is none of a caustic's.
-  if (is_wide && !is_of_caustic()) return false;
+  if (is_wide && tracer_.wanted_ == PhotonLight::caustics && !is_wanted()) return false;
   const SampledSpectrum before = power_;
   double factor = shading_correction(vertex, way->direction, sample.wi);
   if (sample.lobe != Lobe::specular) {
@@ -117,8 +111,13 @@ bool PhotonTracer::Flight::survives_roulette(SampledSpectrum before, double u) {
   return true;
 }
 
-PhotonTracer::PhotonTracer(const scene::Scene& scene, const PhotonEmitter& emitter, int max_depth)
-    : scene_(scene), emitter_(emitter), max_depth_(max_depth), shutter_(scene.camera().shutter) {
+PhotonTracer::PhotonTracer(const scene::Scene& scene, const PhotonEmitter& emitter, int max_depth,
+                           PhotonLight wanted)
+    : scene_(scene),
+      emitter_(emitter),
+      max_depth_(max_depth),
+      wanted_(wanted),
+      shutter_(scene.camera().shutter) {
   const double off_triangles = before_triangles(scene.world());
   for (const light::Light& light : scene.lights()) {
     const bool triangles = std::holds_alternative<light::MeshLight>(light);
@@ -154,7 +153,7 @@ bool PhotonTracer::leave_light(PhotonEmitter::Emission& emission, const Waveleng
 
 std::optional<PhotonEmitter::Origin> PhotonTracer::trace(const Number& number,
                                                          const Wavelengths& wavelengths,
-                                                         Vec3d origin, std::vector<Photon>& left,
+                                                         const Leave& leave,
                                                          Counters& counters) const {
   const PixelSampler points(number.seed ^ photon_stream, number.index, 0, number.pass);
   const Block8 u = points.block(0);
@@ -165,8 +164,22 @@ std::optional<PhotonEmitter::Origin> PhotonTracer::trace(const Number& number,
   if (emission->from_surface && !leave_light(*emission, wavelengths, counters)) return {};
   ++counters.photons_traced;
   const SampleContext context{wavelengths, points, counters, {}};
-  Flight(*this, context, number.index, origin, left).follow(*emission);
+  Flight(*this, context, leave).follow(*emission);
   return emission->origin;
+}
+
+std::optional<PhotonEmitter::Origin> PhotonTracer::trace(const Number& number,
+                                                         const Wavelengths& wavelengths,
+                                                         Vec3d origin, std::vector<Photon>& left,
+                                                         Counters& counters) const {
+  const auto leave = [&](const Arrival& at) {
+    const geometry::Surface& surface = at.walk.surface();
+    const Vec3d wi = -at.walk.ray().direction, n = surface.geometric_normal;
+    left.push_back({at.power, Vec3f(surface.p - origin), Vec3f(wi),
+                    Vec3f(dot(n, wi) < 0.0 ? -n : n), static_cast<float>(at.density), number.index,
+                    static_cast<std::uint16_t>(at.walk.depth()), at.walk.carried()});
+  };
+  return trace(number, wavelengths, leave, counters);
 }
 
 }  // namespace lapidary::transport

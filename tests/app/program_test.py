@@ -18,6 +18,7 @@ import time
 import unittest
 
 LAPIDARY = None  # set by main
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 
 BALL = """
 return scene {
@@ -210,6 +211,15 @@ class Render(ProgramTest):
             done = self.succeed("compare", f"{threads}.exr", "1.exr", "--metric", "mse")
             self.assertEqual(done.stdout, "mse 0\n")
 
+    def test_same_bits_of_maps_for_any_number_of_threads(self):
+        self.write("cornell.lua", (EXAMPLES / "cornell.lua").read_text())
+        for threads in ("1", "3"):
+            self.succeed("render", "cornell.lua", "--threads", threads, "-o", f"{threads}.exr",
+                         "--integrator", "illumination", "--size", "32x32", "--samples", "4",
+                         "--render", "map_photons=20000")
+        self.assertEqual(self.succeed("compare", "3.exr", "1.exr", "--metric", "mse").stdout,
+                         "mse 0\n")
+
 
 class BadInput(ProgramTest):
     SCENES = {
@@ -308,6 +318,127 @@ class Compare(ProgramTest):
     def test_sizes_must_agree(self):
         self.succeed("render", "ball.lua", "--size", "8x8", "-o", "small.png")
         self.fail_with(3, "compare", "a.png", "small.png")
+
+
+ROOM = """
+local quad = mesh "quad.obj"
+return scene {
+  camera = perspective { from = {0, -5, 1}, at = {0, 0, 0}, fov = 40 },
+  lights = { sphere_light { center = {0.3, 0, 3}, radius = 0.2, power = 100 } },
+  objects = {
+    rectangle { corner = {-2, -2, 0}, edge_u = {4, 0, 0}, edge_v = {0, 4, 0} }:name "the floor",
+    (sphere { center = {-1, 0, 0.5}, radius = 0.5 } - box { min = {-2, -2, 0.6}, max = {2, 2, 2} })
+      :name "Bowl/1",
+    cylinder { from = {1, 0, 0}, to = {1, 0, 1}, radius = 0.3, name = "bowl_1" },
+    quad:translate { 0, 1, 0.2 }:name "own",
+    mesh "tetrahedron.obj":translate { 0, -1.5, 0.1 },
+  },
+  render = { size = {24, 16}, samples = 2 },
+}
+"""
+
+QUAD = """
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+f 1/1 2/2 3/3 4/4
+"""
+
+
+class Bake(ProgramTest):
+    def room(self):
+        self.write("quad.obj", QUAD)
+        self.write("tetrahedron.obj", TETRAHEDRON)
+        return self.write("room.lua", ROOM)
+
+    def index(self, folder):
+        return json.loads((self.folder / folder / "index.json").read_text())
+
+    def test_writes_an_image_for_each_surface(self):
+        self.succeed("bake", self.room(), "-o", "maps", "--photons", "20000", "--radius", "0.3")
+        index = self.index("maps")
+        self.assertEqual(index["unit"], "W/m2")
+        self.assertEqual(index["radius"], 0.3)
+        maps = {entry["image"]: entry for entry in index["maps"]}
+        files = {p.name for p in (self.folder / "maps").iterdir()}
+        meshes = {m["mapping"]["mesh"] for m in maps.values() if "mesh" in m["mapping"]}
+        self.assertEqual(files, set(maps) | meshes | {"index.json"})
+        floor = maps["the_floor.exr"]
+        self.assertEqual(floor["mapping"]["kind"], "plane")
+        for found, expected in zip(floor["mapping"]["origin"], (-2, -2, 0)):
+            self.assertAlmostEqual(found, expected)
+        self.assertEqual(floor["ends"], {"u": "border", "v_low": "border", "v_high": "border"})
+        # Names differ by more than the case of their letters.
+        folded = [name.lower() for name in files]
+        self.assertEqual(len(folded), len(set(folded)))
+        self.assertTrue(any(name.startswith("bowl_1") for name in folded))
+        kinds = {entry["object"]: entry["mapping"]["kind"] for entry in maps.values()}
+        self.assertEqual(kinds["own"], "own_uvs")
+        self.assertIn("atlas", kinds.values())
+        ball = next(m for m in maps.values() if m["surface"] == "sphere")
+        self.assertEqual(ball["ends"], {"u": "seam", "v_low": "pole", "v_high": "pole"})
+        lattice = ball["mapping"]["lattice"]
+        self.assertEqual(len(lattice["points"]), lattice["columns"] * lattice["rows"])
+        for x, y, z in filter(None, lattice["points"]):
+            self.assertAlmostEqual(math.dist((x, y, z), (-1, 0, 0.5)), 0.5)
+
+    def test_an_atlas_comes_with_its_mesh(self):
+        self.succeed("bake", self.room(), "-o", "maps", "--photons", "20000")
+        entry = next(m for m in self.index("maps")["maps"] if m["mapping"]["kind"] == "atlas")
+        lines = (self.folder / "maps" / entry["mapping"]["mesh"]).read_text().splitlines()
+        uvs = [tuple(map(float, line.split()[1:])) for line in lines if line.startswith("vt ")]
+        self.assertEqual(len(uvs), 12)
+        self.assertEqual(sum(line.startswith("f ") for line in lines), 4)
+        self.assertTrue(all(0 <= c <= 1 for uv in uvs for c in uv))
+
+        def area(a, b, c):
+            return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+        triangles = [uvs[i:i + 3] for i in range(0, 12, 3)]
+        for i, triangle in enumerate(triangles):
+            middle = tuple(sum(p[k] for p in triangle) / 3 for k in (0, 1))
+            for j, (a, b, c) in enumerate(triangles):
+                inside = min(area(a, b, middle), area(b, c, middle), area(c, a, middle)) > 0
+                self.assertEqual(inside, i == j)
+
+    def test_is_the_same_for_any_number_of_threads(self):
+        scene = self.room()
+        for threads in "1", "3":
+            self.succeed("bake", scene, "-o", "t" + threads, "--photons", "5000", "--threads",
+                          threads, "--quiet")
+        for path in (self.folder / "t1").iterdir():
+            self.assertEqual(path.read_bytes(), (self.folder / "t3" / path.name).read_bytes())
+
+    def test_says_what_there_is_not_to_bake(self):
+        def complaint(lights, material, *options):
+            scene = self.write("s.lua", """
+              return scene {
+                camera = perspective { from = {0, -5, 1}, at = {0, 0, 0} },
+                lights = { %s },
+                objects = { sphere { radius = 1, material = %s } },
+              }""" % (lights, material))
+            return self.fail_with(3, "bake", scene, "-o", "maps", "--photons", "1000", *options)
+        lamp = "point_light { position = {0, 0, 4}, power = 50 }"
+        self.assertIn("no light sends out anything",
+                      complaint("point_light { position = {0, 0, 4}, power = 0 }", "matte()"))
+        self.assertIn("no photon of all light", complaint(lamp, "metal 'gold'"))
+        self.assertIn("no photon of all light",
+                      complaint("point_light { position = {0, 0, 0}, power = 50 }", "matte()"))
+        self.assertIn("no photon of caustics light",
+                      complaint(lamp, "matte()", "--light", "caustics"))
+        self.assertIn("texels", complaint(lamp, "matte()", "--resolution", "1e7"))
+
+    def test_wrong_options(self):
+        scene = self.room()
+        for option, value in (("--photons", "0"), ("--radius", "-1"), ("--filter", "round"),
+                              ("--light", "blue"), ("--format", "gif"), ("--resolution", "0")):
+            self.fail_with(2, "bake", scene, option, value)
+        self.write("file", "")
+        self.assertIn("cannot be made", self.fail_with(3, "bake", scene, "-o", "file/maps"))
 
 
 class Check(ProgramTest):
