@@ -34,18 +34,18 @@ class Layered {
   Traits traits() const;
   bool is_specular() const;
   bool is_transparent() const { return base_traits_.transparent; }
-  /// `Traits::spread` of light towards `mu`.
-  double spread(double mu) const;
+  /// `Traits::spread` of light towards `v`.
+  double spread(Vec3d v) const;
 
  private:
   /// The layer's albedo towards a direction: none from inside.
-  double albedo(double z) const;
-  /// How the base spreads light towards `mu`.
-  double spread_below(double mu) const;
+  double albedo(Vec3d v) const;
+  /// How the base spreads light towards `v`.
+  double spread_below(Vec3d v) const;
   /// What is left of light of the base between the two directions.
   SampledSpectrum passage(Vec3d wo, Vec3d wi) const;
   /// How often `sample` looks at the layer.
-  double chance_of_layer(double z) const;
+  double chance_of_layer(Vec3d wo) const;
 
   Layer layer_;
   NestedPtr base_;

@@ -25,6 +25,7 @@ struct PreparedMaterial {
   bsdf::SurfaceDetail detail;
   texture::Color pattern;  ///< of a light source: multiplies what it emits
   bool in_space = false;   ///< its textures ask for more than the surface's own coordinates
+  bool has_grain = false;  ///< it matters which way the surface's own coordinates run
 };
 
 /// What one part of an object wears: an object has one slot, a mesh with several materials one for
@@ -35,7 +36,7 @@ struct Slot {
   std::uint32_t object = 0;
   std::uint32_t material = 0;
   std::uint32_t light = no_light;
-  std::uint32_t frame = no_frame;  ///< of its textures; none where the material has none
+  std::uint32_t frame = no_frame;  ///< of its textures and grain; none where it has neither
 };
 
 /// The light of a slot that instances share, at one of their places.

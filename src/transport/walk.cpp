@@ -79,7 +79,7 @@ void Walk::pass_through() {
 }
 
 Vertex Walk::vertex() const {
-  return make_vertex({*material_, surface_, lookup_.at, ray_.direction,
+  return make_vertex({*material_, surface_, lookup_, ray_.direction,
                       scene_.medium(media_.before), scene_.medium(media_.after)},
                      context_.wavelengths, carried_);
 }
