@@ -60,6 +60,12 @@ Bsdf make_bsdf(const ThinGlass& glass, const Place& place) {
   return Pane(glass.index.at(place.wavelengths), place.share(glass.color));
 }
 
+SampledSpectrum straight_through(const Bsdf& bsdf, Vec3d wo) {
+  if (const auto* pane = std::get_if<Pane>(&bsdf)) return pane->straight_through(wo);
+  const auto* mixture = std::get_if<Mixture>(&bsdf);
+  return mixture != nullptr ? mixture->straight_through(wo) : SampledSpectrum();
+}
+
 Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carried,
                 const Grain& grain) {
   InterfaceIndices used = indices;

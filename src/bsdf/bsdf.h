@@ -123,6 +123,10 @@ inline std::optional<BsdfSample> sample(const Bsdf& bsdf, Vec3d wo, double u_lob
   return std::visit([&](const auto& kind) { return sample(kind, wo, u_lobe, u, mode); }, bsdf);
 }
 
+/// The share of light from -wo that goes on to wo as if there was nothing: what samples with
+/// `Side::straight` stand for.
+SampledSpectrum straight_through(const Bsdf& bsdf, Vec3d wo);
+
 /// Whether light passes to the other side. Such a BSDF is seen from both sides, of opaque ones the
 /// caller turns the frame.
 inline bool is_transparent(const Bsdf& bsdf) {

@@ -71,6 +71,13 @@ struct HasGrain {
 
 }  // namespace
 
+// Layers are over what is opaque.
+bool lets_through(const Finish& finish) {
+  if (std::holds_alternative<ThinGlass>(finish.kind)) return true;
+  const auto* blend = std::get_if<Blend>(&finish.kind);
+  return blend != nullptr && (lets_through(*blend->first) || lets_through(*blend->second));
+}
+
 bool has_grain(const Finish& finish) {
   return std::visit(HasGrain{}, finish.kind);
 }

@@ -7,6 +7,8 @@ namespace {
 
 /// What a polished coat of usual index reflects, averaged over directions.
 constexpr double share_of_coat = 0.1;
+/// The same of both faces of a pane. What goes through it goes on as it came, and gathers nowhere.
+constexpr double share_of_pane = 0.15;
 
 /// Whether facets of this roughness are narrow at any place.
 bool may_be_narrow(const texture::Number& roughness, const Brushing& brushing) {
@@ -33,7 +35,7 @@ struct Share {
   double operator()(const Metal& metal) const {
     return may_be_narrow(metal.roughness, metal.brushing) ? 1.0 : 0.0;
   }
-  double operator()(const ThinGlass&) const { return 1.0; }
+  double operator()(const ThinGlass&) const { return share_of_pane; }
   double operator()(const Matte&) const { return 0.0; }
   double operator()(const Phong&) const { return 0.0; }
   double operator()(const Black&) const { return 0.0; }

@@ -123,6 +123,9 @@ struct Finish {
 /// Whether any part of it is brushed, so that it matters which way the surface's coordinates run.
 bool has_grain(const Finish& finish);
 
+/// Whether light goes straight through anywhere, as through a pane.
+bool lets_through(const Finish& finish);
+
 /// Rougher surfaces are glossy, others specular: at 0.03, alpha = 0.0009, a lobe is 0.05 degrees
 /// wide and nothing is gained by tracing it as one.
 inline constexpr double smallest_roughness = 0.03;

@@ -229,13 +229,32 @@ TEST(Pane, LetsLightStraightThroughFromBothSides) {
     const Vec3d wo = direction(z);
     const auto through = sample(bsdf, wo, 0.9, {}, Mode::radiance);
     EXPECT_EQ(through->wi, -wo);
-    EXPECT_EQ(through->side, Side::transmitted);
+    EXPECT_EQ(through->side, Side::straight);
     EXPECT_EQ(through->relative_index, 1.0);
     EXPECT_FLOAT_EQ(through->weight[0], 1.0f);
     const auto back = sample(bsdf, wo, 0.01, {}, Mode::importance);
     EXPECT_EQ(back->wi, Vec3d(-wo.x, -wo.y, wo.z));
     EXPECT_EQ(back->side, Side::reflected);
   }
+}
+
+// What light sampling takes for passing through is the mean of what samples do.
+TEST(Pane, PassesLightOnAsItsSamplesDo) {
+  const SampledSpectrum color(1.0f, 0.8f, 0.3f, 0.0f);
+  const Bsdf dirty = mixture(test::pane(1.5, color), Diffuse{white}, 0.4);
+  for (const Bsdf& bsdf : {test::pane(1.5, color), dirty}) {
+    const Vec3d wo = direction(-0.4);
+    constexpr int samples = 10000;
+    SampledSpectrum sum;
+    for (int i = 0; i < samples; ++i) {
+      const auto s = sample(bsdf, wo, (i + 0.5) / samples, {0.3, 0.6}, Mode::radiance);
+      if (s && s->side == Side::straight) sum += s->weight;
+    }
+    const SampledSpectrum through = straight_through(bsdf, wo);
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(sum[k] / samples, through[k], 1e-3);
+  }
+  EXPECT_TRUE(straight_through(test::glass(1.5, 0.0), direction(0.5)).is_zero());
+  EXPECT_TRUE(straight_through(Diffuse{white}, direction(0.5)).is_zero());
 }
 
 // The mean number of each lobe's samples is its share: nothing of a specular lobe may be lost or
