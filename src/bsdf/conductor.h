@@ -28,6 +28,7 @@ class Conductor {
 
   const ConductorFresnel& fresnel() const { return fresnel_; }
   const Ggx& facets() const { return facets_; }
+  double grain_alpha() const { return albedo_.alpha(); }  ///< Grain::alpha
 
  private:
   ConductorFresnel fresnel_;

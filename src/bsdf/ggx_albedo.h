@@ -21,6 +21,7 @@ class GgxAlbedo {
   double at(const Ggx& facets, Vec3d v) const {
     return grain_.is_even() ? at(v.z) : grained(facets, v);
   }
+  double alpha() const { return alpha_; }  ///< of the grain
   /// 1/pi times the integral of at(v) v.z over the half sphere; of even facets within 1e-4.
   double average() const { return average_; }
 

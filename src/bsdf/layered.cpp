@@ -16,22 +16,42 @@ decltype(auto) of(const Layered::Layer& layer, Function function) {
 }  // namespace
 
 Layered::Layered(const Layer& layer, NestedPtr base)
-    : layer_(layer), base_(std::move(base)), base_traits_(traits_of(base_->bsdf)) {}
+    : layer_(layer), base_(std::move(base)), base_traits_(traits_of(base_->bsdf)) {
+  const auto* metal = std::get_if<Conductor>(&base_->bsdf);
+  if (metal == nullptr) return;
+  glossy_.emplace(metal->grain_alpha(), [this](double mu) { return let_through(mu); });
+}
 
 double Layered::albedo(Vec3d v) const {
   if (!(v.z > 0.0)) return 0.0;
   return of(layer_, [v](const auto& layer) { return layer.albedo(v); });
 }
 
+double Layered::let_through(double mu) const {
+  const double aside = std::sqrt(0.5 * std::max(0.0, 1.0 - mu * mu));
+  return std::max(1.0 - albedo({aside, aside, mu}), 1e-6);
+}
+
+double Layered::white_passage(Vec3d wo, Vec3d wi, double spread) const {
+  const double to = 1.0 - albedo(wo), ti = 1.0 - albedo(wi);
+  if (glossy_) {
+    const auto share = [this](double z) {
+      return glossy_->share(std::min(z, 1.0), [this](double mu) { return let_through(mu); });
+    };
+    return to * share(wo.z) * ti * share(wi.z);
+  }
+  const double average = of(layer_, [](const auto& layer) { return layer.average_albedo(); });
+  const double kept = std::lerp(std::max(to, ti), 1.0 - average, spread);
+  return kept > 0.0 ? to * ti / kept : 0.0;
+}
+
 // Of light that the base gives back, the share r comes down again: the bounces sum to
 // (1 - r) / (1 - r rho), relative to a white base.
 SampledSpectrum Layered::passage(Vec3d wo, Vec3d wi) const {
   return of(layer_, [&](const auto& layer) {
-    const double to = 1.0 - albedo(wo), ti = 1.0 - albedo(wi);
     const double spread = spread_below(wi.z < wo.z ? wi : wo);
-    const double clearer = std::max(to, ti);
-    const double kept = std::lerp(clearer, 1.0 - layer.average_albedo(), spread);
-    SampledSpectrum left(static_cast<float>(kept > 0.0 ? to * ti / kept : 0.0));
+    const double clearer = 1.0 - std::min(albedo(wo), albedo(wi));
+    SampledSpectrum left(static_cast<float>(white_passage(wo, wi, spread)));
     if (wo.z > 0.0) left *= layer.one_way(std::min(wo.z, 1.0));
     if (wi.z > 0.0) left *= layer.one_way(std::min(wi.z, 1.0));
     if (base_traits_.transparent) return left;
