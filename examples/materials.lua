@@ -8,7 +8,8 @@
 --   glass      water, N-BK7, diamond; then ground glass of roughness 0.1, 0.2 and 0.3
 --   metals     gold, silver, copper, aluminium; then two coloured ones; polished
 --   satin      the same six, roughness 0.15
---   brushed    the same six, roughness 0.35
+--   brushed    an aluminium ball with grooves along its parallels, along its meridians, and aslant;
+--              then discs turned on a lathe: of steel, of bronze under varnish, of plastic
 --   matte      six colours
 --   emissive   bodies that glow at 1900, 2700, 3600, 5000, 6500 and 12000 kelvin
 
@@ -38,6 +39,20 @@ local function glowing(temperatures)
   return balls
 end
 
+--- Grooves run across the direction in which highlights are long: `angle` is from the parallels.
+local function grooved(angle)
+  return metal { "aluminium", roughness = 0.4, anisotropy = 0.9, anisotropy_rotation = angle }
+end
+
+--- A disc with grooves around its centre, so that highlights are long towards it; it leans back on
+--- the step instead of a ball.
+local around = gradient { mapping = "cylindrical" } * 360
+local function turned(material)
+  return function(x, y, z)
+    return disk { radius = 0.55, material = material }:rotate { 50, 0, 0 }:translate { x, y, z + 0.45 }
+  end
+end
+
 local rows = {
   { "glass", {
     glass "water", glass "N-BK7", glass "diamond",
@@ -45,7 +60,17 @@ local rows = {
   } },
   { "metals", metals(0) },
   { "satin", metals(0.15) },
-  { "brushed", metals(0.35) },
+  { "brushed", {
+    grooved(90), grooved(0), grooved(45),
+    turned(metal { color = "#b9b4ac", roughness = 0.4, anisotropy = 0.9, anisotropy_rotation = around }),
+    turned(principled {
+      "#d08a50", metalness = 1, roughness = 0.45, anisotropy = 0.9,
+      anisotropy_rotation = around, coat = 1,
+    }),
+    turned(principled {
+      "#20304a", roughness = 0.35, anisotropy = 0.95, anisotropy_rotation = around,
+    }),
+  } },
   { "matte", mattes { "#c8553d", "#d9a441", "#6a994e", "#3a86a8", "#5f5aa2", "#b5838d" } },
   { "emissive", glowing { 1900, 2700, 3600, 5000, 6500, 12000 } },
 }
@@ -80,7 +105,7 @@ local function step(number, balls)
   }
   for i, material in ipairs(balls) do
     local x = (i - (#balls + 1) / 2) * across
-    parts[#parts + 1] = sphere {
+    parts[#parts + 1] = type(material) == "function" and material(x, y, top + 0.15) or sphere {
       center = { x, y, top + 0.002 + radius }, radius = radius, material = material,
     }
   end

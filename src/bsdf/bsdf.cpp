@@ -31,6 +31,11 @@ double Place::share(const texture::Number& number) const {
   return std::clamp(number.at(lookup), 0.0, 1.0);
 }
 
+Grain Place::grain(const Brushing& brushing) const {
+  if (brushing.is_even()) return {1.0};
+  return {1.0, share(brushing.anisotropy), radians(brushing.rotation.at(lookup))};
+}
+
 Bsdf make_bsdf(const Matte& matte, const Place& place) {
   const double roughness = place.share(matte.roughness);
   if (roughness == 0.0) return Diffuse{place.share(matte.color)};
@@ -41,7 +46,7 @@ Bsdf make_bsdf(const Metal& metal, const Place& place) {
   const ConductorFresnel fresnel = fresnel_of(metal, place);
   const double roughness = place.share(metal.roughness);
   if (roughness < smallest_roughness) return Mirror{fresnel};
-  return Conductor(fresnel, alpha_from_roughness(roughness));
+  return Conductor(fresnel, of_alpha(place.grain(metal.brushing), alpha_from_roughness(roughness)));
 }
 
 Bsdf make_bsdf(const Phong& phong, const Place& place) {
@@ -55,7 +60,14 @@ Bsdf make_bsdf(const ThinGlass& glass, const Place& place) {
   return Pane(glass.index.at(place.wavelengths), place.share(glass.color));
 }
 
-Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carried) {
+SampledSpectrum straight_through(const Bsdf& bsdf, Vec3d wo) {
+  if (const auto* pane = std::get_if<Pane>(&bsdf)) return pane->straight_through(wo);
+  const auto* mixture = std::get_if<Mixture>(&bsdf);
+  return mixture != nullptr ? mixture->straight_through(wo) : SampledSpectrum();
+}
+
+Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carried,
+                const Grain& grain) {
   InterfaceIndices used = indices;
   if (carried == Carried::hero) {
     used.above.fill(indices.above[0]);
@@ -64,13 +76,13 @@ Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carri
   const RelativeIndex index(used.above, used.below);
   if (roughness < smallest_roughness || std::abs(index.hero(1.0) - 1.0) < smallest_index_step)
     return SmoothDielectric{index};
-  return RoughDielectric(index, alpha_from_roughness(roughness));
+  return RoughDielectric(index, of_alpha(grain, alpha_from_roughness(roughness)));
 }
 
 Bsdf make_bsdf(const Glass& glass, const RefractiveIndex& outside, const Place& place,
                Carried carried) {
   return make_glass({outside.at(place.wavelengths), glass.index.at(place.wavelengths)},
-                    place.share(glass.roughness), carried);
+                    place.share(glass.roughness), carried, place.grain(glass.brushing));
 }
 
 }  // namespace lapidary::bsdf

@@ -54,6 +54,8 @@ struct Place {
   /// What a texture gives, within [0, 1].
   SampledSpectrum share(const texture::Color& color) const;
   double share(const texture::Number& number) const;
+  /// With the alpha of 1, which is the caller's business.
+  Grain grain(const Brushing& brushing) const;
 };
 
 Bsdf make_bsdf(const Matte& matte, const Place& place);
@@ -68,8 +70,9 @@ struct InterfaceIndices {
 };
 
 /// Glass from the indices that the caller has looked up, maybe once for many paths. Only the hero's
-/// indices count when that is all the path carries.
-Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carried);
+/// indices count when that is all the path carries. Of `grain` the alpha does not count.
+Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carried,
+                const Grain& grain = 1.0);
 
 /// Glass, with `outside` on the side that z points to.
 Bsdf make_bsdf(const Glass& glass, const RefractiveIndex& outside, const Place& place,
@@ -119,6 +122,10 @@ inline std::optional<BsdfSample> sample(const Bsdf& bsdf, Vec3d wo, double u_lob
     return sample(*diffuse, wo, u_lobe, u, mode);
   return std::visit([&](const auto& kind) { return sample(kind, wo, u_lobe, u, mode); }, bsdf);
 }
+
+/// The share of light from -wo that goes on to wo as if there was nothing: what samples with
+/// `Side::straight` stand for.
+SampledSpectrum straight_through(const Bsdf& bsdf, Vec3d wo);
 
 /// Whether light passes to the other side. Such a BSDF is seen from both sides, of opaque ones the
 /// caller turns the frame.

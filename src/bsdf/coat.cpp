@@ -7,9 +7,13 @@ namespace lapidary::bsdf {
 // Seen from inside, the cone of directions that leave is n^2 times narrower, and of them as much is
 // reflected as from outside: 1 - F_inside = (1 - F_outside) / n^2.
 Coat::Coat(const Look& look)
+    : Coat(look,
+           look.alpha > 0.0 ? Grain(look.alpha, look.anisotropy, look.rotation) : Grain(0.0)) {}
+
+Coat::Coat(const Look& look, const Grain& grain)
     : look_(look),
-      facets_{std::max(look.alpha, 1e-9)},
-      albedo_(look.alpha, look.index),
+      facets_(grain),
+      albedo_(grain, look.index),
       diffuse_return_(
           look.darkens ? look.weight * (1.0 - (1.0 - albedo_.average()) / (look.index * look.index))
                        : 0.0) {}
@@ -25,7 +29,7 @@ BsdfValue Coat::evaluate_with_pdf(Vec3d wo, Vec3d wi) const {
 
 std::optional<BsdfSample> Coat::sample(Vec3d wo, Vec2d u) const {
   if (specular()) {
-    const auto share = static_cast<float>(albedo(std::min(wo.z, 1.0)));
+    const auto share = static_cast<float>(albedo(wo));
     return BsdfSample{{-wo.x, -wo.y, wo.z}, look_.tint * share, 0.0, Lobe::specular};
   }
   const Vec3d h = facets_.sample_visible(wo, u);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "bsdf/coat_albedo.h"
@@ -15,6 +16,8 @@ class Coat {
   struct Look {
     double index = 1.5;           ///< >= 1, relative to what is around
     double alpha = 0;             ///< of GGX facets, in [0, 1]; 0 is smooth
+    double anisotropy = 0;        ///< as `Grain`
+    double rotation = 0;          ///< as `Grain`
     double weight = 1;            ///< share of the surface that it covers
     SampledSpectrum tint{1.0f};   ///< of what it reflects; 1 is physical
     SampledSpectrum color{1.0f};  ///< left of light that goes down and up again head on
@@ -28,9 +31,11 @@ class Coat {
   std::optional<BsdfSample> sample(Vec3d wo, Vec2d u) const;
   bool specular() const { return look_.alpha == 0.0; }
 
-  /// Share of light that it reflects, without the tint; `mu` in [0, 1].
-  double albedo(double mu) const { return look_.weight * albedo_.at(mu); }
-  /// 2 times the integral of albedo(mu) mu over mu.
+  /// Share of light that it reflects, without the tint; v.z in [0, 1].
+  double albedo(Vec3d v) const {
+    return look_.weight * albedo_.at(facets_, {v.x, v.y, std::min(v.z, 1.0)});
+  }
+  /// 1/pi times the integral of albedo(v) v.z over the half sphere.
   double average_albedo() const { return look_.weight * albedo_.average(); }
   SampledSpectrum tint() const { return look_.tint; }
   /// Share of diffuse light from below that it sends back down.
@@ -41,6 +46,8 @@ class Coat {
   SampledSpectrum one_way(double mu) const;
 
  private:
+  Coat(const Look& look, const Grain& grain);
+
   Look look_;
   Ggx facets_;
   CoatAlbedo albedo_;

@@ -4,29 +4,37 @@
 #include <cstddef>
 
 #include "bsdf/fresnel.h"
-#include "bsdf/table_lookup.h"
+#include "bsdf/grain_lookup.h"
 
 namespace lapidary::bsdf {
 
 /// Directional albedo of one reflection by the GGX facets of a dielectric, seen from outside: the
 /// share of light from direction mu that comes back. The rest enters.
 /// Accuracy: 0.003, and 0.006 for mu < 0.1, by linear interpolation in a table made by
-/// tools/coat_albedo.cpp; a smooth surface's is exact.
+/// tools/coat_albedo.cpp; a smooth surface's is exact. With a grain 0.01, and 0.02 for mu < 0.1, in
+/// one by tools/grain_albedo.cpp.
 class CoatAlbedo {
  public:
-  /// `alpha` in [0, 1], 0 for a smooth surface; `eta` >= 1 is the index inside over that outside.
-  /// Beyond 3 the ratio of rough to smooth is that at 3.
-  CoatAlbedo(double alpha, double eta);
+  /// An alpha of 0 is a smooth surface; `eta` >= 1 is the index inside over that outside. Beyond 3
+  /// the ratio of rough to smooth is that at 3.
+  CoatAlbedo(const Grain& grain, double eta);
 
-  /// `mu` in [0, 1], the cosine to the normal.
+  /// Of even facets; `mu` in [0, 1], the cosine to the normal.
   double at(double mu) const;
-  /// 2 times the integral of at(mu) mu over mu.
+  /// `facets` are those of the grain; v.z in [0, 1].
+  double at(const Ggx& facets, Vec3d v) const {
+    return grain_.is_even() ? at(v.z) : grained(facets, v);
+  }
+  /// 1/pi times the integral of at(v) v.z over the half sphere.
   double average() const { return average_; }
 
  private:
+  double grained(const Ggx& facets, Vec3d v) const;
+
   double alpha_, eta_;
   TablePlace index_, roughness_;
   double average_;
+  GrainCoordinates grain_;
 };
 
 /// From 0 for eta = 1 to 1 for eta = 3, closest around eta = 1.
@@ -43,5 +51,9 @@ extern const std::array<std::array<CoatAlbedoRow, coat_albedo_size>, coat_albedo
     coat_albedo_table;
 /// Averages of the albedo itself, by index and roughness.
 extern const std::array<CoatAlbedoRow, coat_albedo_indices> coat_average_albedo_table;
+/// The same ratios, and averages, with a grain.
+inline constexpr std::size_t coat_grain_indices = 7;
+extern const std::array<GrainTable<8, 6, 6, 10>, coat_grain_indices> coat_grain_table;
+extern const std::array<GrainAverages<8, 6>, coat_grain_indices> coat_average_grain_table;
 
 }  // namespace lapidary::bsdf

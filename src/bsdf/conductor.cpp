@@ -4,8 +4,8 @@
 
 namespace lapidary::bsdf {
 
-Conductor::Conductor(const ConductorFresnel& fresnel, double alpha)
-    : fresnel_(fresnel), facets_{alpha}, albedo_(alpha), lobe_(alpha) {
+Conductor::Conductor(const ConductorFresnel& fresnel, const Grain& grain)
+    : fresnel_(fresnel), facets_(grain), albedo_(grain), lobe_(grain.alpha) {
   // Each further bounce reflects the average Fresnel share F, and of what is on its way the average
   // share E escapes: all bounces after the first sum to F^2 E / (1 - F (1 - E)).
   const auto e = static_cast<float>(albedo_.average());
@@ -19,7 +19,7 @@ BsdfValue Conductor::evaluate_with_pdf(Vec3d wo, Vec3d wi) const {
   if (!(wo.z > 0.0 && wi.z > 0.0)) return {};
   const Vec3d h = normalize(wo + wi);
   const double density = facets_.density(h);
-  const double lost_o = 1.0 - albedo_.at(wo.z), lost_i = 1.0 - albedo_.at(wi.z);
+  const double lost_o = 1.0 - albedo_.at(facets_, wo), lost_i = 1.0 - albedo_.at(facets_, wi);
 
   const double narrow = density * facets_.reflection_share(wo, wi);
   const double wide = lost_o * lost_i * wi.z;
@@ -33,7 +33,7 @@ BsdfValue Conductor::evaluate_with_pdf(Vec3d wo, Vec3d wi) const {
 
 std::optional<BsdfSample> Conductor::sample(Vec3d wo, double u_lobe, Vec2d u) const {
   if (!(wo.z > 0.0)) return {};
-  const double lost_o = 1.0 - albedo_.at(wo.z);
+  const double lost_o = 1.0 - albedo_.at(facets_, wo);
   Vec3d wi;
   if (u_lobe < lost_o) {
     wi = lobe_.sample(u);

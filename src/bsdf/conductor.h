@@ -16,19 +16,19 @@ struct Mirror {
 };
 
 /// A rough opaque metal: GGX facets, and a wide lobe for light that bounces between them more than
-/// once, so that a metal that absorbs nothing loses nothing (within 0.001; 0.006 at mu < 0.05) at
-/// any roughness. Reciprocal. Source: Kulla & Conty 2017, "Revisiting Physically Based Shading at
-/// Imageworks".
+/// once, so that a metal that absorbs nothing loses nothing at any roughness, as precisely as
+/// `GgxAlbedo` knows what to make up for. Reciprocal. Source: Kulla & Conty 2017, "Revisiting
+/// Physically Based Shading at Imageworks".
 class Conductor {
  public:
-  /// `alpha` in (0, 1].
-  Conductor(const ConductorFresnel& fresnel, double alpha);
+  Conductor(const ConductorFresnel& fresnel, const Grain& grain);
 
   BsdfValue evaluate_with_pdf(Vec3d wo, Vec3d wi) const;
   std::optional<BsdfSample> sample(Vec3d wo, double u_lobe, Vec2d u) const;
 
   const ConductorFresnel& fresnel() const { return fresnel_; }
-  double alpha() const { return facets_.alpha; }
+  const Ggx& facets() const { return facets_; }
+  double grain_alpha() const { return albedo_.alpha(); }  ///< Grain::alpha
 
  private:
   ConductorFresnel fresnel_;

@@ -20,7 +20,7 @@ struct Maker {
   Bsdf operator()(const Glass& glass) const {
     const Wavelengths& wavelengths = place.wavelengths;
     return make_glass({around.above.at(wavelengths), around.below.at(wavelengths)},
-                      place.share(glass.roughness), around.carried);
+                      place.share(glass.roughness), around.carried, place.grain(glass.brushing));
   }
 
   Bsdf operator()(const Velvet& velvet) const {
@@ -32,8 +32,11 @@ struct Maker {
 
   Bsdf operator()(const Coated& coated) const {
     const double roughness = place.share(coated.roughness);
+    const Grain grain = place.grain(coated.brushing);
     const Coat coat({.index = coated.index,
                      .alpha = facet_alpha(roughness),
+                     .anisotropy = grain.anisotropy,
+                     .rotation = grain.rotation,
                      .color = place.share(coated.color)});
     return make_layered(coat, make_bsdf(*coated.base, place, around));
   }
@@ -47,7 +50,37 @@ struct Maker {
   }
 };
 
+struct HasGrain {
+  bool operator()(const Metal& metal) const { return !metal.brushing.is_even(); }
+  bool operator()(const Glass& glass) const { return !glass.brushing.is_even(); }
+  bool operator()(const Principled& p) const {
+    return !p.brushing.is_even() || !p.coat_brushing.is_even();
+  }
+  bool operator()(const Coated& coated) const {
+    return !coated.brushing.is_even() || has_grain(*coated.base);
+  }
+  bool operator()(const Velvet& velvet) const { return velvet.base && has_grain(*velvet.base); }
+  bool operator()(const Blend& blend) const {
+    return has_grain(*blend.first) || has_grain(*blend.second);
+  }
+  bool operator()(const Matte&) const { return false; }
+  bool operator()(const Phong&) const { return false; }
+  bool operator()(const ThinGlass&) const { return false; }
+  bool operator()(const Black&) const { return false; }
+};
+
 }  // namespace
+
+// Layers are over what is opaque.
+bool lets_through(const Finish& finish) {
+  if (std::holds_alternative<ThinGlass>(finish.kind)) return true;
+  const auto* blend = std::get_if<Blend>(&finish.kind);
+  return blend != nullptr && (lets_through(*blend->first) || lets_through(*blend->second));
+}
+
+bool has_grain(const Finish& finish) {
+  return std::visit(HasGrain{}, finish.kind);
+}
 
 Bsdf make_layered(const Layered::Layer& layer, Bsdf base) {
   if (const auto* mixture = std::get_if<Mixture>(&base)) {

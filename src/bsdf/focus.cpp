@@ -7,11 +7,15 @@ namespace {
 
 /// What a polished coat of usual index reflects, averaged over directions.
 constexpr double share_of_coat = 0.1;
+/// The same of both faces of a pane. What goes through it goes on as it came, and gathers nowhere.
+constexpr double share_of_pane = 0.15;
 
 /// Whether facets of this roughness are narrow at any place.
-bool may_be_narrow(const texture::Number& roughness) {
-  const double* same = roughness.constant();
-  return same == nullptr || alpha_from_roughness(*same) <= widest_narrow_alpha;
+bool may_be_narrow(const texture::Number& roughness, const Brushing& brushing) {
+  const double *same = roughness.constant(), *grain = brushing.anisotropy.constant();
+  if (same == nullptr) return true;
+  const double anisotropy = grain != nullptr ? *grain : 1.0;
+  return Grain(alpha_from_roughness(*same), anisotropy).mean_alpha() <= widest_narrow_alpha;
 }
 /// Whether they are a mirror at any place.
 bool may_be_specular(const texture::Number& roughness) {
@@ -25,9 +29,13 @@ double greatest(const texture::Number& weight) {
 }
 
 struct Share {
-  double operator()(const Glass& glass) const { return may_be_narrow(glass.roughness) ? 1.0 : 0.0; }
-  double operator()(const Metal& metal) const { return may_be_narrow(metal.roughness) ? 1.0 : 0.0; }
-  double operator()(const ThinGlass&) const { return 1.0; }
+  double operator()(const Glass& glass) const {
+    return may_be_narrow(glass.roughness, glass.brushing) ? 1.0 : 0.0;
+  }
+  double operator()(const Metal& metal) const {
+    return may_be_narrow(metal.roughness, metal.brushing) ? 1.0 : 0.0;
+  }
+  double operator()(const ThinGlass&) const { return share_of_pane; }
   double operator()(const Matte&) const { return 0.0; }
   double operator()(const Phong&) const { return 0.0; }
   double operator()(const Black&) const { return 0.0; }
@@ -44,7 +52,7 @@ struct Share {
   double operator()(const Principled& p) const {
     double share = 0.0;
     if (greatest(p.coat) > 0.0 && may_be_specular(p.coat_roughness)) share = share_of_coat;
-    if (may_be_narrow(p.roughness)) {
+    if (may_be_narrow(p.roughness, p.brushing)) {
       share = std::max({share, greatest(p.transmission), greatest(p.metalness)});
     }
     if (may_be_specular(p.roughness)) share = std::max(share, share_of_coat);
@@ -57,10 +65,10 @@ struct Share {
 bool is_narrow(const Bsdf& bsdf) {
   if (is_specular(bsdf)) return true;
   if (const auto* metal = std::get_if<Conductor>(&bsdf)) {
-    return metal->alpha() <= widest_narrow_alpha;
+    return metal->facets().alpha <= widest_narrow_alpha;
   }
   if (const auto* glass = std::get_if<RoughDielectric>(&bsdf)) {
-    return glass->alpha() <= widest_narrow_alpha;
+    return glass->facets().alpha <= widest_narrow_alpha;
   }
   const auto* mixture = std::get_if<Mixture>(&bsdf);
   return mixture != nullptr && is_narrow(mixture->first()->bsdf) &&

@@ -5,7 +5,8 @@
 /// Which surfaces gather light into caustics.
 namespace lapidary::bsdf {
 
-/// GGX lobes up to this alpha are narrow: chance that follows them seldom meets a small light, and
+/// GGX lobes up to this alpha - of a grain the geometric mean of both, which says how large the
+/// lobe's solid angle is - are narrow: chance that follows them seldom meets a small light, and
 /// light that follows them from a lamp still comes out in bundles.
 inline constexpr double widest_narrow_alpha = 0.15;
 

@@ -33,9 +33,9 @@ class Fuzz {
   }
   static constexpr bool specular() { return false; }
 
-  /// Share of light that white fibres send back; `mu` in [0, 1].
-  double albedo(double mu) const { return look_.weight * albedo_.at(mu); }
-  /// 2 times the integral of albedo(mu) mu over mu.
+  /// Share of light that white fibres send back; v.z in [0, 1].
+  double albedo(Vec3d v) const { return look_.weight * albedo_.at(std::min(v.z, 1.0)); }
+  /// 1/pi times the integral of albedo(v) v.z over the half sphere.
   double average_albedo() const { return look_.weight * albedo_.average(); }
   SampledSpectrum tint() const { return look_.color; }
   /// Share of light from below that they send back down: from there the pile looks the same.

@@ -4,8 +4,12 @@
 
 namespace lapidary::bsdf {
 
-GgxAlbedo::GgxAlbedo(double alpha) : alpha_(alpha) {
-  const TablePlace row = table_place(roughness_coordinate(alpha), ggx_albedo_size);
+GgxAlbedo::GgxAlbedo(const Grain& grain) : alpha_(grain.alpha), grain_(grain) {
+  if (!grain.is_even()) {
+    average_ = grain_unit * interpolated(ggx_average_grain_table, grain_.of_facets().data());
+    return;
+  }
+  const TablePlace row = table_place(roughness_coordinate(alpha_), ggx_albedo_size);
   row_ = row.index;
   fraction_ = row.fraction;
   average_ = between(ggx_average_albedo_table[row_], ggx_average_albedo_table[row_ + 1], fraction_);
@@ -18,6 +22,10 @@ double GgxAlbedo::at(double mu) const {
   const std::size_t c = column.index;
   return between(between(low[c], low[c + 1], column.fraction),
                  between(high[c], high[c + 1], column.fraction), fraction_);
+}
+
+double GgxAlbedo::grained(const Ggx& facets, Vec3d v) const {
+  return grain_unit * interpolated(ggx_grain_table, grain_.of(facets, v).data());
 }
 
 }  // namespace lapidary::bsdf

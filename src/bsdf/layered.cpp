@@ -16,22 +16,42 @@ decltype(auto) of(const Layered::Layer& layer, Function function) {
 }  // namespace
 
 Layered::Layered(const Layer& layer, NestedPtr base)
-    : layer_(layer), base_(std::move(base)), base_traits_(traits_of(base_->bsdf)) {}
+    : layer_(layer), base_(std::move(base)), base_traits_(traits_of(base_->bsdf)) {
+  const auto* metal = std::get_if<Conductor>(&base_->bsdf);
+  if (metal == nullptr) return;
+  glossy_.emplace(metal->grain_alpha(), [this](double mu) { return let_through(mu); });
+}
 
-double Layered::albedo(double z) const {
-  if (!(z > 0.0)) return 0.0;
-  return of(layer_, [z](const auto& layer) { return layer.albedo(std::min(z, 1.0)); });
+double Layered::albedo(Vec3d v) const {
+  if (!(v.z > 0.0)) return 0.0;
+  return of(layer_, [v](const auto& layer) { return layer.albedo(v); });
+}
+
+double Layered::let_through(double mu) const {
+  const double aside = std::sqrt(0.5 * std::max(0.0, 1.0 - mu * mu));
+  return std::max(1.0 - albedo({aside, aside, mu}), 1e-6);
+}
+
+double Layered::white_passage(Vec3d wo, Vec3d wi, double spread) const {
+  const double to = 1.0 - albedo(wo), ti = 1.0 - albedo(wi);
+  if (glossy_) {
+    const auto share = [this](double z) {
+      return glossy_->share(std::min(z, 1.0), [this](double mu) { return let_through(mu); });
+    };
+    return to * share(wo.z) * ti * share(wi.z);
+  }
+  const double average = of(layer_, [](const auto& layer) { return layer.average_albedo(); });
+  const double kept = std::lerp(std::max(to, ti), 1.0 - average, spread);
+  return kept > 0.0 ? to * ti / kept : 0.0;
 }
 
 // Of light that the base gives back, the share r comes down again: the bounces sum to
 // (1 - r) / (1 - r rho), relative to a white base.
 SampledSpectrum Layered::passage(Vec3d wo, Vec3d wi) const {
   return of(layer_, [&](const auto& layer) {
-    const double to = 1.0 - albedo(wo.z), ti = 1.0 - albedo(wi.z);
-    const double spread = spread_below(std::min(wo.z, wi.z));
-    const double clearer = std::max(to, ti);
-    const double kept = std::lerp(clearer, 1.0 - layer.average_albedo(), spread);
-    SampledSpectrum left(static_cast<float>(kept > 0.0 ? to * ti / kept : 0.0));
+    const double spread = spread_below(wi.z < wo.z ? wi : wo);
+    const double clearer = 1.0 - std::min(albedo(wo), albedo(wi));
+    SampledSpectrum left(static_cast<float>(white_passage(wo, wi, spread)));
     if (wo.z > 0.0) left *= layer.one_way(std::min(wo.z, 1.0));
     if (wi.z > 0.0) left *= layer.one_way(std::min(wi.z, 1.0));
     if (base_traits_.transparent) return left;
@@ -44,20 +64,20 @@ SampledSpectrum Layered::passage(Vec3d wo, Vec3d wi) const {
   });
 }
 
-double Layered::spread_below(double mu) const {
+double Layered::spread_below(Vec3d v) const {
   const auto* layered = std::get_if<Layered>(&base_->bsdf);
-  return layered != nullptr ? layered->spread(mu) : base_traits_.spread;
+  return layered != nullptr ? layered->spread(v) : base_traits_.spread;
 }
 
 // Fibres forget where light came from, a coat does not.
-double Layered::spread(double mu) const {
+double Layered::spread(Vec3d v) const {
   const double own = std::holds_alternative<Fuzz>(layer_) ? 1.0 : 0.0;
-  return std::lerp(spread_below(mu), own, albedo(mu));
+  return std::lerp(spread_below(v), own, albedo(v));
 }
 
-double Layered::chance_of_layer(double z) const {
-  if (!(z > 0.0)) return 0.0;
-  const double e = albedo(z);
+double Layered::chance_of_layer(Vec3d wo) const {
+  if (!(wo.z > 0.0)) return 0.0;
+  const double e = albedo(wo);
   const double tint = of(layer_, [](const auto& layer) { return layer.tint().average(); });
   // A base is brighter at some angles than it is on average.
   const double base =
@@ -71,7 +91,7 @@ double Layered::chance_of_layer(double z) const {
 BsdfValue Layered::evaluate_with_pdf(Vec3d wo, Vec3d wi, Mode mode) const {
   const bool outside = wo.z > 0.0 && wi.z > 0.0;
   if (!outside && !base_traits_.transparent) return {};
-  const double chance = chance_of_layer(wo.z);
+  const double chance = chance_of_layer(wo);
   BsdfValue value = bsdf::evaluate_with_pdf(base_->bsdf, wo, wi, mode);
   value.pdf *= 1.0 - chance;
   if (!value.f_cos.is_zero()) value.f_cos *= passage(wo, wi);
@@ -85,7 +105,7 @@ BsdfValue Layered::evaluate_with_pdf(Vec3d wo, Vec3d wi, Mode mode) const {
 
 std::optional<BsdfSample> Layered::sample(Vec3d wo, double u_lobe, Vec2d u, Mode mode) const {
   if (wo.z == 0.0 || (wo.z < 0.0 && !base_traits_.transparent)) return {};
-  const double chance = chance_of_layer(wo.z);
+  const double chance = chance_of_layer(wo);
   const bool on_layer = u_lobe < chance;
   auto sample = on_layer ? of(layer_, [&](const auto& layer) { return layer.sample(wo, u); })
                          : bsdf::sample(base_->bsdf, wo, rescaled(u_lobe, chance, 1.0), u, mode);
@@ -113,7 +133,8 @@ Traits Layered::traits() const {
     const SampledSpectrum one(1.0f), once = layer.one_way(1.0);
     const SampledSpectrum rho = base_traits_.albedo * once * once;
     const SampledSpectrum base = rho * (1.0f - e) * (1.0f - r) / (one - rho * r);
-    return Traits{layer.tint() * e + base, spread(0.5), is_specular(), base_traits_.transparent};
+    const Vec3d aslant(std::sqrt(0.375), std::sqrt(0.375), 0.5);
+    return Traits{layer.tint() * e + base, spread(aslant), is_specular(), base_traits_.transparent};
   });
 }
 

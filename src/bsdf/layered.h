@@ -5,6 +5,7 @@
 
 #include "bsdf/coat.h"
 #include "bsdf/fuzz.h"
+#include "bsdf/glossy_passage.h"
 #include "bsdf/nested.h"
 #include "bsdf/scattering.h"
 
@@ -15,10 +16,11 @@ namespace lapidary::bsdf {
 /// The layer reflects its directional albedo E; the base is seen through what is left,
 /// T = 1 - E, on the way in and on the way out, over what keeps a white base white: the mean of T
 /// over all directions above a base that spreads light, T of the larger of the two above one that
-/// mirrors it. Light between the two is mirrored to and fro; a coloured base becomes darker and
-/// more saturated by that, a white one does not. Directions inside the layer are those outside.
-/// Reciprocal, never gains energy by more than the tables' errors, and loses none on white bases
-/// that are diffuse or smooth. Source: after Kulla & Conty 2017, which has the diffuse case.
+/// mirrors it, and what `GlossyPassage` finds above glossy metal. Light between the two is mirrored
+/// to and fro; a coloured base becomes darker and more saturated by that, a white one does not.
+/// Directions inside the layer are those outside. Reciprocal, never gains energy by more than the
+/// tables' errors, and loses none on white bases that are diffuse, smooth, or metal. Source: after
+/// Kulla & Conty 2017, which has the diffuse case.
 ///
 /// Above a transparent base the layer is there for light from outside only; what falls on the
 /// surface from inside loses on its way out what the layer would send back.
@@ -34,22 +36,28 @@ class Layered {
   Traits traits() const;
   bool is_specular() const;
   bool is_transparent() const { return base_traits_.transparent; }
-  /// `Traits::spread` of light towards `mu`.
-  double spread(double mu) const;
+  /// `Traits::spread` of light towards `v`.
+  double spread(Vec3d v) const;
 
  private:
   /// The layer's albedo towards a direction: none from inside.
-  double albedo(double z) const;
-  /// How the base spreads light towards `mu`.
-  double spread_below(double mu) const;
+  double albedo(Vec3d v) const;
+  /// What it leaves of light from that cosine, at the mean azimuth of its grain if it has one;
+  /// above 0 never nothing.
+  double let_through(double mu) const;
+  /// How the base spreads light towards `v`.
+  double spread_below(Vec3d v) const;
+  /// The same as far as a white base is concerned.
+  double white_passage(Vec3d wo, Vec3d wi, double spread) const;
   /// What is left of light of the base between the two directions.
   SampledSpectrum passage(Vec3d wo, Vec3d wi) const;
   /// How often `sample` looks at the layer.
-  double chance_of_layer(double z) const;
+  double chance_of_layer(Vec3d wo) const;
 
   Layer layer_;
   NestedPtr base_;
   Traits base_traits_;
+  std::optional<GlossyPassage> glossy_;  ///< above metal
 };
 
 inline BsdfValue evaluate_with_pdf(const Layered& bsdf, Vec3d wo, Vec3d wi, Mode mode) {

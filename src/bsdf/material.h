@@ -11,6 +11,18 @@ namespace lapidary::bsdf {
 // What surfaces are made of. Textures may give any value; what is beyond the range that is stated
 // here counts as its end.
 
+/// What makes facets rougher along one direction of the surface than across it: see `Grain`.
+struct Brushing {
+  texture::Number anisotropy;
+  /// Degrees, from dp/du towards dp/dv, to the direction in which highlights are longer.
+  texture::Number rotation;
+
+  bool is_even() const {
+    const double* same = anisotropy.constant();
+    return same != nullptr && *same <= 0.0;
+  }
+};
+
 /// A diffuse reflector, the same on both sides. Each value of `color` is in [0, 1].
 struct Matte {
   texture::Color color = Spectrum::reflectance({0.8f, 0.8f, 0.8f});
@@ -26,6 +38,7 @@ struct Metal {
       texture::Color(Spectrum::reflectance({0.9f, 0.9f, 0.9f}));
   /// 0 (mirror) to 1; GGX alpha is its square.
   texture::Number roughness;
+  Brushing brushing;
 };
 
 /// The boundary of a transparent medium of refractive index `index`.
@@ -33,6 +46,7 @@ struct Glass {
   RefractiveIndex index = RefractiveIndex::constant(1.5);
   /// 0 (polished) to 1; GGX alpha is its square.
   texture::Number roughness;
+  Brushing brushing;
 };
 
 /// Lambert's law plus a lobe about the mirrored direction, the same on both sides.
@@ -66,6 +80,7 @@ struct Coated {
   double index = 1.5;
   texture::Number roughness;
   texture::Color color = Spectrum::constant(1.0f);  ///< left of light that goes down and up again
+  Brushing brushing;
 };
 
 /// Fine patches of two materials. At most one is glass, or partly so.
@@ -87,11 +102,13 @@ struct Principled {
   texture::Number specular = 1.0;
   texture::Color specular_color = Spectrum::constant(1.0f);
   texture::Number roughness = 0.3;
+  Brushing brushing;
   double index = 1.5;
   texture::Number transmission;
   texture::Number coat;
   texture::Color coat_color = Spectrum::constant(1.0f);
   texture::Number coat_roughness;
+  Brushing coat_brushing;
   double coat_index = 1.6;
   texture::Number fuzz;
   texture::Color fuzz_color = Spectrum::constant(1.0f);
@@ -102,6 +119,12 @@ struct Finish {
   std::variant<Matte, Metal, Glass, Phong, ThinGlass, Velvet, Coated, Blend, Principled, Black>
       kind;
 };
+
+/// Whether any part of it is brushed, so that it matters which way the surface's coordinates run.
+bool has_grain(const Finish& finish);
+
+/// Whether light goes straight through anywhere, as through a pane.
+bool lets_through(const Finish& finish);
 
 /// Rougher surfaces are glossy, others specular: at 0.03, alpha = 0.0009, a lobe is 0.05 degrees
 /// wide and nothing is gained by tracing it as one.

@@ -44,6 +44,11 @@ BsdfValue Mixture::evaluate_with_pdf(Vec3d wo, Vec3d wi, Mode mode) const {
   return {a.f_cos + b.f_cos, a.pdf + b.pdf};
 }
 
+SampledSpectrum Mixture::straight_through(Vec3d wo) const {
+  return bsdf::straight_through(first_.bsdf->bsdf, wo) * static_cast<float>(first_.weight) +
+         bsdf::straight_through(second_.bsdf->bsdf, wo) * static_cast<float>(second_.weight);
+}
+
 // The parts are chosen by their weights, so that these cancel in a specular sample.
 std::optional<BsdfSample> Mixture::sample(Vec3d wo, double u_lobe, Vec2d u, Mode mode) const {
   const bool first = u_lobe < first_.weight;

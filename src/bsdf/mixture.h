@@ -21,6 +21,9 @@ class Mixture {
   BsdfValue evaluate_with_pdf(Vec3d wo, Vec3d wi, Mode mode) const;
   std::optional<BsdfSample> sample(Vec3d wo, double u_lobe, Vec2d u, Mode mode) const;
 
+  /// See bsdf.h.
+  SampledSpectrum straight_through(Vec3d wo) const;
+
   const NestedPtr& first() const { return first_.bsdf; }
   const NestedPtr& second() const { return second_.bsdf; }
   double weight() const { return second_.weight; }

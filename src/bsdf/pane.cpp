@@ -32,6 +32,10 @@ Pane::Shares Pane::shares(double mu) const {
   return shares;
 }
 
+SampledSpectrum Pane::straight_through(Vec3d wo) const {
+  return wo.z == 0.0 ? SampledSpectrum() : shares(std::min(std::abs(wo.z), 1.0)).transmitted;
+}
+
 std::optional<BsdfSample> Pane::sample(Vec3d wo, double u_lobe) const {
   if (wo.z == 0.0) return {};
   const Shares s = shares(std::min(std::abs(wo.z), 1.0));
@@ -42,7 +46,7 @@ std::optional<BsdfSample> Pane::sample(Vec3d wo, double u_lobe) const {
         {-wo.x, -wo.y, wo.z}, s.reflected * static_cast<float>(1.0 / q), 0.0, Lobe::specular};
   }
   return BsdfSample{-wo, s.transmitted * static_cast<float>(1.0 / (1.0 - q)), 0.0, Lobe::specular,
-                    Side::transmitted};
+                    Side::straight};
 }
 
 }  // namespace lapidary::bsdf

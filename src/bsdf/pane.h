@@ -22,6 +22,8 @@ class Pane {
   /// `mu` in [0, 1], the cosine to the normal. A clear pane's add up to one.
   Shares shares(double mu) const;
 
+  /// What goes on to -wo.
+  SampledSpectrum straight_through(Vec3d wo) const;
   std::optional<BsdfSample> sample(Vec3d wo, double u_lobe) const;
 
  private:

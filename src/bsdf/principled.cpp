@@ -37,12 +37,14 @@ struct Maker {
   const Place& place;
   const Surroundings& around;
   double roughness;
+  Grain grain;
 
   Bsdf metal() const {
     const ConductorFresnel fresnel =
         ConductorFresnel::from_edge_tint(place.share(p.color), place.share(p.specular_color));
     const double alpha = facet_alpha(roughness);
-    Bsdf whole = alpha == 0.0 ? Bsdf(Mirror{fresnel}) : Bsdf(Conductor(fresnel, alpha));
+    Bsdf whole =
+        alpha == 0.0 ? Bsdf(Mirror{fresnel}) : Bsdf(Conductor(fresnel, of_alpha(grain, alpha)));
     return mixed(Black{}, std::move(whole), place.share(p.specular));
   }
 
@@ -52,6 +54,8 @@ struct Maker {
     if (index == 1.0) return diffuse;
     return Layered(Coat({.index = index,
                          .alpha = facet_alpha(roughness),
+                         .anisotropy = grain.anisotropy,
+                         .rotation = grain.rotation,
                          .tint = place.share(p.specular_color),
                          .darkens = false}),
                    nested(std::move(diffuse)));
@@ -60,7 +64,7 @@ struct Maker {
   Bsdf glass() const {
     const Wavelengths& wavelengths = place.wavelengths;
     return make_glass({around.above.at(wavelengths), around.below.at(wavelengths)}, roughness,
-                      around.carried);
+                      around.carried, grain);
   }
 
   Bsdf base() const {
@@ -80,11 +84,15 @@ Bsdf make_bsdf(const Principled& p, const Place& place, const Surroundings& arou
   const double coat_roughness = place.share(p.coat_roughness);
   const double roughness = place.share(p.roughness);
   Bsdf bsdf = Maker{p, place, around,
-                    coat == 0.0 ? roughness : seen_through(coat, coat_roughness, roughness)}
+                    coat == 0.0 ? roughness : seen_through(coat, coat_roughness, roughness),
+                    place.grain(p.brushing)}
                   .base();
   if (coat > 0.0) {
+    const Grain grain = place.grain(p.coat_brushing);
     const Coat layer({.index = p.coat_index,
                       .alpha = facet_alpha(coat_roughness),
+                      .anisotropy = grain.anisotropy,
+                      .rotation = grain.rotation,
                       .weight = coat,
                       .color = place.share(p.coat_color)});
     bsdf = make_layered(layer, std::move(bsdf));

@@ -45,12 +45,12 @@ struct RoughDielectric::View {
 
 // The shares are the same fraction T of what diffuse light could carry both ways: with a lost share
 // M on average, index n, reciprocity asks for share M n^2 to be the same on either side.
-RoughDielectric::RoughDielectric(const RelativeIndex& index, double alpha)
+RoughDielectric::RoughDielectric(const RelativeIndex& index, const Grain& grain)
     : index_(index),
-      facets_{alpha},
-      lobe_(alpha),
-      above_{GlassAlbedo(alpha, index.hero(1.0))},
-      below_{GlassAlbedo(alpha, index.hero(-1.0))} {
+      facets_(grain),
+      lobe_(grain.alpha),
+      above_{GlassAlbedo(grain, index.hero(1.0))},
+      below_{GlassAlbedo(grain, index.hero(-1.0))} {
   const double eta = index.hero(1.0);
   const double from_above = above_.average(), from_below = eta * eta * below_.average();
   const double exchanged = (1.0 - average_reflectance(eta)) * std::min(from_above, from_below);
@@ -62,9 +62,9 @@ RoughDielectric::RoughDielectric(const RelativeIndex& index, double alpha)
 
 // What is lost on the way from wo comes out to a side in proportion to what would be lost the other
 // way, as reciprocity asks.
-double RoughDielectric::spread(double lost, const Loss& side, double cosine) {
+double RoughDielectric::spread(double lost, const Loss& side, Vec3d v) const {
   const double average = side.average();
-  return average > 0.0 ? lost * side.at(cosine) / average * cosine * inv_pi : 0.0;
+  return average > 0.0 ? lost * side.at(facets_, v) / average * v.z * inv_pi : 0.0;
 }
 
 BsdfValue RoughDielectric::reflected(const View& view, Vec3d wi) const {
@@ -76,7 +76,7 @@ BsdfValue RoughDielectric::reflected(const View& view, Vec3d wi) const {
       split.chance_to_reflect * 0.5 * density / (view.wo.z + facets_.slant(view.wo));
 
   const double kept = 1.0 - view.near.refracted_share;
-  const double wide = kept * spread(view.lost, view.near, wi.z);
+  const double wide = kept * spread(view.lost, view.near, wi);
   return {
       split.reflectance * static_cast<float>(narrow) + SampledSpectrum(static_cast<float>(wide)),
       between(pdf_narrow, kept * lobe_.pdf(wi.z), view.lost)};
@@ -84,7 +84,7 @@ BsdfValue RoughDielectric::reflected(const View& view, Vec3d wi) const {
 
 BsdfValue RoughDielectric::refracted(const View& view, Vec3d wi, Mode mode) const {
   const double passed = view.near.refracted_share;
-  double f_cos = passed * spread(view.lost, view.far, -wi.z);
+  double f_cos = passed * spread(view.lost, view.far, mirrored(wi, -1.0));
   double pdf = passed * view.lost * lobe_.pdf(-wi.z);
 
   const Vec3d sum = view.wo + view.eta * wi;  // along h, or against it when eta < 1
@@ -104,7 +104,7 @@ BsdfValue RoughDielectric::evaluate_with_pdf(Vec3d wo, Vec3d wi, Mode mode) cons
   if (wo.z == 0.0 || wi.z == 0.0) return {};
   const Vec3d o = mirrored(wo, wo.z), i = mirrored(wi, wo.z);
   const Loss& near = loss_from(wo.z);
-  const View view{o, wo.z, index_.hero(wo.z), near, loss_from(-wo.z), near.at(o.z)};
+  const View view{o, wo.z, index_.hero(wo.z), near, loss_from(-wo.z), near.at(facets_, o)};
   return i.z > 0.0 ? reflected(view, i) : refracted(view, i, mode);
 }
 
@@ -127,7 +127,7 @@ std::optional<BsdfSample> RoughDielectric::sample(Vec3d wo, double u_lobe, Vec2d
   if (wo.z == 0.0) return {};
   const Vec3d o = mirrored(wo, wo.z);
   const Loss& near = loss_from(wo.z);
-  const View view{o, wo.z, index_.hero(wo.z), near, loss_from(-wo.z), near.at(o.z)};
+  const View view{o, wo.z, index_.hero(wo.z), near, loss_from(-wo.z), near.at(facets_, o)};
 
   std::optional<Vec3d> wi;
   if (u_lobe < view.lost) {

@@ -16,11 +16,10 @@ namespace lapidary::bsdf {
 /// values as in samples. Reciprocal up to the square of the index (Veach 1997, equation 5.14).
 class RoughDielectric {
  public:
-  /// `alpha` in (0, 1].
-  RoughDielectric(const RelativeIndex& index, double alpha);
+  RoughDielectric(const RelativeIndex& index, const Grain& grain);
 
   const RelativeIndex& index() const { return index_; }
-  double alpha() const { return facets_.alpha; }
+  const Ggx& facets() const { return facets_; }
 
   BsdfValue evaluate_with_pdf(Vec3d wo, Vec3d wi, Mode mode) const;
   std::optional<BsdfSample> sample(Vec3d wo, double u_lobe, Vec2d u, Mode mode) const;
@@ -33,13 +32,15 @@ class RoughDielectric {
     GlassAlbedo albedo;
     double refracted_share = 0;  ///< of the light that is lost, what leaves beyond the surface
 
-    double at(double mu) const { return 1.0 - albedo.at(mu); }
+    /// v.z in [0, 1].
+    double at(const Ggx& facets, Vec3d v) const { return 1.0 - albedo.at(facets, v); }
     double average() const { return 1.0 - albedo.average(); }
   };
 
   const Loss& loss_from(double z) const { return z > 0.0 ? above_ : below_; }
-  /// f cos of the wide lobe on one side, of a light of which `lost` is lost [1/sr].
-  static double spread(double lost, const Loss& side, double cosine);
+  /// f cos of the wide lobe on one side, of a light of which `lost` is lost [1/sr]; `v` is there,
+  /// mirrored to v.z > 0.
+  double spread(double lost, const Loss& side, Vec3d v) const;
   BsdfValue reflected(const View& view, Vec3d wi) const;
   BsdfValue refracted(const View& view, Vec3d wi, Mode mode) const;
   std::optional<Vec3d> sample_facet(const View& view, double u_lobe, Vec2d u) const;

@@ -12,7 +12,9 @@ enum class Mode { radiance, importance };
 /// How concentrated a sampled lobe is; a specular one is a Dirac delta.
 enum class Lobe { diffuse, glossy, specular };
 
-enum class Side { reflected, transmitted };
+/// Where a direction leads. `straight` is through, as if there was nothing: what light does so is
+/// known without chance, by `straight_through`, and it counts as not scattered.
+enum class Side { reflected, transmitted, straight };
 
 /// The wavelengths that a path still carries: all four, or the hero (index 0) alone.
 enum class Carried { all, hero };

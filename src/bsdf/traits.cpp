@@ -21,7 +21,7 @@ Traits of(const Mirror& bsdf) {
   return {bsdf.fresnel.average(), 0.0, true};
 }
 Traits of(const Conductor& bsdf) {
-  return {bsdf.fresnel().average(), spread_of(bsdf.alpha())};
+  return {bsdf.fresnel().average(), spread_of(bsdf.facets().alpha)};
 }
 Traits of(const PhongLobes& bsdf) {
   const SampledSpectrum all = bsdf.diffuse() + bsdf.specular();

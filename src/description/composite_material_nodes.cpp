@@ -83,11 +83,13 @@ NodeKind coated() {
                  {.doc = "Its index of refraction, relative to what is around.",
                   .range = {.min = 1, .max = 3}})
       .parameter<NumberReader>("roughness", &C::roughness,
-                               {.doc = roughness_doc, .range = schema::unit_interval})
-      .parameter<ColorReader>("color", &C::color,
-                              {.doc = "What it leaves of light that goes down and up again head "
-                                      "on.",
-                               .default_text = "1"});
+                               {.doc = roughness_doc, .range = schema::unit_interval});
+  declare_brushing(
+      d, "", [](C & c) -> auto& { return c.brushing; });
+  d.parameter<ColorReader>("color", &C::color,
+                           {.doc = "What it leaves of light that goes down and up again head "
+                                   "on.",
+                            .default_text = "1"});
   return node_kind(declare_detail(d), [](C&& c, const Context& context) {
     c.base = opaque_part(c.below, context);
     SurfaceDetail detail = std::move(c.detail);

@@ -159,7 +159,7 @@ NodeKind point_light() {
                     "point_light { position = { 0, 0, 3 }, profile = \"lamp.ies\" }"}});
   d.parameter("position", &PointParameters::position, {.doc = "Where it is.", .unit = Unit::length})
       .parameter("profile", &PointParameters::profile,
-                 {.doc = "An IES file (LM-63, photometry type C) with the candela in every "
+                 {.doc = "An IES file (LM-63, photometry type A, B or C) with the candela in every "
                          "direction; 'power' or 'lumens' scale them to that sum, and no strength "
                          "leaves them as they are."})
       .parameter("at", &PointParameters::at,
@@ -168,7 +168,8 @@ NodeKind point_light() {
                   .unit = Unit::length})
       .parameter("up", &PointParameters::up,
                  {.doc = "Turns the profile about its axis: where its horizontal angle 0 points, "
-                         "as far as the axis lets it; {0, 1, 0} when left out."});
+                         "of types A and B where its vertical angles grow, as far as the axis lets "
+                         "it; {0, 1, 0} when left out."});
   return node_kind(declare_emission(d, point_strengths), [](PointParameters&& p,
                                                             const Context& context) {
     if (p.profile) return light_node(profile_light(p, context), context);

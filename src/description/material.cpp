@@ -18,6 +18,12 @@ Variation variation(const texture::Color& color) {
   return variation(color.texture());
 }
 Variation variation(const bsdf::FinishPtr& finish);
+// A grain stands in the frame of the surface's own coordinates.
+Variation variation(const bsdf::Brushing& brushing) {
+  if (brushing.is_even()) return Variation::none;
+  return std::max(
+      {Variation::on_surface, variation(brushing.anisotropy), variation(brushing.rotation)});
+}
 
 template <typename... Parameters>
 Variation greatest(const Parameters&... parameters) {
@@ -29,10 +35,10 @@ Variation variation(const bsdf::Matte& m) {
 }
 Variation variation(const bsdf::Metal& m) {
   const auto* color = std::get_if<texture::Color>(&m.surface);
-  return std::max(variation(m.roughness), color ? variation(*color) : Variation::none);
+  return std::max(greatest(m.roughness, m.brushing), color ? variation(*color) : Variation::none);
 }
 Variation variation(const bsdf::Glass& m) {
-  return variation(m.roughness);
+  return greatest(m.roughness, m.brushing);
 }
 Variation variation(const bsdf::Phong& m) {
   return greatest(m.diffuse, m.specular, m.exponent);
@@ -44,15 +50,15 @@ Variation variation(const bsdf::Velvet& m) {
   return greatest(m.color, m.roughness, m.base);
 }
 Variation variation(const bsdf::Coated& m) {
-  return greatest(m.roughness, m.color, m.base);
+  return greatest(m.roughness, m.brushing, m.color, m.base);
 }
 Variation variation(const bsdf::Blend& m) {
   return greatest(m.weight, m.first, m.second);
 }
 Variation variation(const bsdf::Principled& m) {
   return greatest(m.color, m.diffuse_roughness, m.metalness, m.specular, m.specular_color,
-                  m.roughness, m.transmission, m.coat, m.coat_color, m.coat_roughness, m.fuzz,
-                  m.fuzz_color, m.fuzz_roughness);
+                  m.roughness, m.brushing, m.transmission, m.coat, m.coat_color, m.coat_roughness,
+                  m.coat_brushing, m.fuzz, m.fuzz_color, m.fuzz_roughness);
 }
 Variation variation(const bsdf::Black&) {
   return Variation::none;

@@ -4,7 +4,9 @@
 #include <string>
 
 #include "description/material.h"
+#include "description/texture_readers.h"
 #include "schema/context.h"
+#include "schema/declaration.h"
 #include "schema/node_kind.h"
 
 namespace lapidary::description {
@@ -21,6 +23,25 @@ schema::Node material_node(Model model, SurfaceDetail detail, const schema::Cont
   material->detail = std::move(detail);
   material->where = context.call().where;
   return schema::Node::of<Material>(context.call().node, std::move(material), sizeof(Material));
+}
+
+/// Declares anisotropy and its rotation, as `prefix` and these words; `brushing` is a function
+/// T& -> bsdf::Brushing&.
+template <typename T, typename Brushing>
+schema::Declaration<T>& declare_brushing(schema::Declaration<T>& d, const std::string& prefix,
+                                         Brushing brushing) {
+  return d
+      .template parameter<NumberReader>(
+          prefix + "anisotropy", [brushing](T & t) -> auto& { return brushing(t).anisotropy; },
+          {.doc = "How much longer highlights are along one direction than across it, as of "
+                  "brushed metal: 0 is as long, 1 a line.",
+           .range = schema::unit_interval})
+      .template parameter<NumberReader>(
+          prefix + "anisotropy_rotation",
+          [brushing](T & t) -> auto& { return brushing(t).rotation; },
+          {.doc = "From the way in which the surface's u grows, towards v, to that in which "
+                  "highlights are longer.",
+           .unit = schema::Unit::degrees});
 }
 
 /// An index of refraction: a number, or the name of a glass.

@@ -43,6 +43,7 @@ struct MetalParameters {
   std::optional<texture::Color> color;
   std::optional<Spectrum> n, k;
   texture::Number roughness;
+  bsdf::Brushing brushing;
 };
 
 Metal to_metal(const MetalParameters& m, const Context& context) {
@@ -53,6 +54,7 @@ Metal to_metal(const MetalParameters& m, const Context& context) {
   if (spectra && !(m.n && m.k)) context.fail("needs both 'n' and 'k'");
   Metal metal;
   metal.roughness = m.roughness;
+  metal.brushing = m.brushing;
   if (m.index) metal.surface = *m.index;
   if (spectra) metal.surface = ConductorIndex{*m.n, *m.k};
   if (m.color) metal.surface = *m.color;
@@ -86,6 +88,7 @@ NodeKind metal() {
                     .doc = "A conductor, from mirror to brushed.",
                     .section = materials_section,
                     .examples = {"metal \"gold\"", "metal { \"gold\", roughness = 0.1 }",
+                                 "metal { \"aluminium\", roughness = 0.4, anisotropy = 0.9 }",
                                  "metal { color = \"#8c2f39\", roughness = 0.3 }"}});
   d.parameter<MetalIndexReader>(
        "ior", &MetalParameters::index,
@@ -99,6 +102,8 @@ NodeKind metal() {
                  {.doc = "Imaginary part (extinction) of its refractive index, with 'n'."})
       .parameter<NumberReader>("roughness", &MetalParameters::roughness,
                                {.doc = roughness_doc, .range = schema::unit_interval});
+  declare_brushing(
+      d, "", [](M & m) -> auto& { return m.brushing; });
   return node_kind(declare_detail(d), [](M&& m, const Context& context) {
     return material_node(to_metal(m, context), std::move(m.detail), context);
   });
@@ -132,11 +137,13 @@ NodeKind glass() {
         .range = {.min = 1, .max = 10},
         .shorthand = Shorthand::yes})
       .parameter<NumberReader>("roughness", &G::roughness,
-                               {.doc = roughness_doc, .range = schema::unit_interval})
-      .parameter<Optional<ReflectanceReader>>(
-          "color", &G::color,
-          {.doc = "What it tints: the colour of white light after 'distance' in it; clear when "
-                  "left out."})
+                               {.doc = roughness_doc, .range = schema::unit_interval});
+  declare_brushing(
+      d, "", [](G & g) -> auto& { return g.brushing; });
+  d.parameter<Optional<ReflectanceReader>>(
+       "color", &G::color,
+       {.doc = "What it tints: the colour of white light after 'distance' in it; clear when "
+               "left out."})
       .parameter("distance", &G::distance,
                  {.doc = "How far light goes in it to have its 'color'.",
                   .unit = schema::Unit::length,

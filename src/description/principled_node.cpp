@@ -60,6 +60,8 @@ void declare_base(Declaration<P>& d) {
       .parameter<NumberReader>("roughness", &P::roughness,
                                {.doc = "specular_roughness.", .range = schema::unit_interval})
       .parameter("ior", &P::index, {.doc = "specular_ior.", .range = {.min = 1, .max = 3}});
+  declare_brushing(
+      d, "", [](P & p) -> auto& { return p.brushing; });
 }
 
 void declare_transmission(Declaration<P>& d) {
@@ -82,9 +84,11 @@ void declare_layers(Declaration<P>& d) {
           {.doc = "coat_color: left of light that goes down and up again.", .default_text = "1"})
       .parameter<NumberReader>("coat_roughness", &P::coat_roughness,
                                {.doc = "coat_roughness.", .range = schema::unit_interval})
-      .parameter("coat_ior", &P::coat_index, {.doc = "coat_ior.", .range = {.min = 1, .max = 3}})
-      .parameter<NumberReader>("fuzz", &P::fuzz,
-                               {.doc = "fuzz_weight.", .range = schema::unit_interval})
+      .parameter("coat_ior", &P::coat_index, {.doc = "coat_ior.", .range = {.min = 1, .max = 3}});
+  declare_brushing(
+      d, "coat_", [](P & p) -> auto& { return p.coat_brushing; });
+  d.parameter<NumberReader>("fuzz", &P::fuzz,
+                            {.doc = "fuzz_weight.", .range = schema::unit_interval})
       .parameter<ColorReader>("fuzz_color", &P::fuzz_color,
                               {.doc = "fuzz_color.", .default_text = "1"})
       .parameter<NumberReader>("fuzz_roughness", &P::fuzz_roughness,

@@ -1,6 +1,7 @@
 #include "light/ies_file.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -133,7 +134,23 @@ std::vector<double> read_angles(Words& words, std::size_t count, const std::stri
   return angles;
 }
 
+// The standard has them go to 90 degrees; files of beams stop where there is no more light.
+void check_beam_angles(const std::vector<double>& angles, const char* which, const Words& words) {
+  const bool is_range = angles.size() >= 2 && angles.front() >= -90.0 && angles.front() <= 0.0 &&
+                        angles.back() > 0.0 && angles.back() <= 90.0;
+  if (is_range) return;
+  words.fail(
+      fmt::format("{} angles of types A and B go from 0, or from -90 or more, to 90 degrees or "
+                  "less, not from {} to {}",
+                  which, angles.front(), angles.back()));
+}
+
 void check_angles(const PhotometricWeb::Table& table, const Words& words) {
+  if (table.type != PhotometricWeb::Type::c) {
+    check_beam_angles(table.vertical, "vertical", words);
+    check_beam_angles(table.horizontal, "horizontal", words);
+    return;
+  }
   const double top = table.vertical.front(), bottom = table.vertical.back();
   if ((top != 0.0 && top != 90.0) || (bottom != 90.0 && bottom != 180.0)) {
     words.fail(
@@ -167,11 +184,6 @@ PhotometricWeb parse_ies(std::string_view text, const std::string& file) {
   const std::size_t verticals = words.count("the number of vertical angles", 2, 10000);
   const std::size_t horizontals = words.count("the number of horizontal angles", 1, 10000);
   const std::size_t type = words.count("the type of photometry", 1, 3);
-  if (type != 1) {
-    words.fail(
-        fmt::format("the file is of photometry type {}, which is not read", type == 2 ? "B" : "A"),
-        "type C is that of lamps for rooms and streets");
-  }
   for (const char* size : {"the kind of units", "the width", "the length", "the height"}) {
     words.number(size);
   }
@@ -180,7 +192,9 @@ PhotometricWeb parse_ies(std::string_view text, const std::string& file) {
   if (head.has_lamp_factor && lamp_factor > 0.0) factor *= lamp_factor;
   words.number("the input power");
 
+  using Type = PhotometricWeb::Type;
   PhotometricWeb::Table table;
+  table.type = std::array{Type::c, Type::b, Type::a}[type - 1];
   table.vertical = read_angles(words, verticals, "a vertical angle");
   table.horizontal = read_angles(words, horizontals, "a horizontal angle");
   check_angles(table, words);

@@ -8,8 +8,8 @@
 
 namespace lapidary::light {
 
-/// Reads the measurements of a luminaire from a file by ANSI/IES LM-63 of 1986 to 2019, of
-/// photometry type C. Candela are what the file's lamps give in its fixture: with its multiplier
+/// Reads the measurements of a luminaire from a file by ANSI/IES LM-63 of 1986 to 2019, of any type
+/// of photometry. Candela are what the file's lamps give in its fixture: with its multiplier
 /// and ballast factors. What the file says about tilted lamps is passed over: the lamp is taken to
 /// burn as it did when it was measured.
 ///

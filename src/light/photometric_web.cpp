@@ -30,6 +30,22 @@ std::map<double, std::size_t> whole_circle(const std::vector<double>& stated) {
   return planes;
 }
 
+/// Of type A or B: with what is below zero, where that is left out.
+std::vector<double> both_sides(const std::vector<double>& stated) {
+  std::vector<double> angles;
+  if (stated.front() == 0.0) {
+    for (std::size_t i = stated.size() - 1; i > 0; --i) angles.push_back(-stated[i]);
+  }
+  angles.insert(angles.end(), stated.begin(), stated.end());
+  return angles;
+}
+
+/// The number of the stated angle that one of both sides is like.
+std::size_t stated_of(std::size_t i, std::size_t stated, std::size_t both) {
+  const std::size_t mirrored = both - stated;
+  return i < mirrored ? mirrored - i : i - mirrored;
+}
+
 std::size_t cell_of(const std::vector<double>& edges, double x) {
   const auto above = std::upper_bound(edges.begin(), edges.end(), x);
   const auto index = std::max<std::ptrdiff_t>(above - edges.begin() - 1, 0);
@@ -38,15 +54,54 @@ std::size_t cell_of(const std::vector<double>& edges, double x) {
 
 }  // namespace
 
-PhotometricWeb::PhotometricWeb(const Table& table) {
-  for (const double angle : table.vertical) vertical_.push_back(radians(angle));
-  for (const auto& [angle, plane] : whole_circle(table.horizontal)) {
-    horizontal_.push_back(radians(angle));
-    const auto begin =
-        table.candela.begin() + static_cast<std::ptrdiff_t>(plane * table.vertical.size());
-    candela_.insert(candela_.end(), begin,
-                    begin + static_cast<std::ptrdiff_t>(table.vertical.size()));
+// Types A and B by latitude, which is 90 degrees minus the polar angle, and longitude about their
+// polar axis. Of type A the longitude is the horizontal angle, of type B the vertical one.
+PhotometricWeb::Grid PhotometricWeb::grid_of(const Table& table) {
+  Grid grid;
+  const std::size_t verticals = table.vertical.size(), horizontals = table.horizontal.size();
+  if (table.type == Type::c) {
+    grid.polar = table.vertical;
+    for (const auto& [angle, plane] : whole_circle(table.horizontal)) {
+      grid.azimuth.push_back(angle);
+      const auto begin = table.candela.begin() + static_cast<std::ptrdiff_t>(plane * verticals);
+      grid.candela.insert(grid.candela.end(), begin,
+                          begin + static_cast<std::ptrdiff_t>(verticals));
+    }
+    return grid;
   }
+  const std::vector<double> vertical = both_sides(table.vertical);
+  const std::vector<double> horizontal = both_sides(table.horizontal);
+  const bool by_horizontal = table.type == Type::a;
+  grid.azimuth = by_horizontal ? horizontal : vertical;
+  const std::vector<double>& latitude = by_horizontal ? vertical : horizontal;
+  for (std::size_t i = latitude.size(); i-- > 0;) grid.polar.push_back(90.0 - latitude[i]);
+  for (std::size_t longitude = 0; longitude < grid.azimuth.size(); ++longitude) {
+    for (std::size_t i = latitude.size(); i-- > 0;) {
+      const std::size_t v = stated_of(by_horizontal ? i : longitude, verticals, vertical.size());
+      const std::size_t h =
+          stated_of(by_horizontal ? longitude : i, horizontals, horizontal.size());
+      grid.candela.push_back(table.candela[h * verticals + v]);
+    }
+  }
+  return grid;
+}
+
+// The web's z is the polar axis; azimuths grow from its x, where both angles are 0, towards its -y.
+Vec3d PhotometricWeb::web_from_lamp(Vec3d v) const {
+  if (type_ == Type::c) return v;
+  return type_ == Type::a ? Vec3d(v.z, -v.y, v.x) : Vec3d(v.z, -v.x, v.y);
+}
+
+Vec3d PhotometricWeb::lamp_from_web(Vec3d v) const {
+  if (type_ == Type::c) return v;
+  return type_ == Type::a ? Vec3d(v.z, -v.y, v.x) : Vec3d(-v.y, v.z, v.x);
+}
+
+PhotometricWeb::PhotometricWeb(const Table& table) : type_(table.type) {
+  Grid grid = grid_of(table);
+  for (const double angle : grid.polar) vertical_.push_back(radians(angle));
+  for (const double angle : grid.azimuth) horizontal_.push_back(radians(angle));
+  candela_ = std::move(grid.candela);
   std::vector<double> by_column;
   for (std::size_t column = 0; column + 1 < horizontal_.size(); ++column) {
     std::vector<double> by_row;
@@ -77,13 +132,15 @@ double PhotometricWeb::solid_angle(std::size_t column, std::size_t row) const {
   return width * (std::cos(vertical_[row]) - std::cos(vertical_[row + 1]));
 }
 
-std::optional<PhotometricWeb::Place> PhotometricWeb::place_of(Vec3d direction) const {
+std::optional<PhotometricWeb::Place> PhotometricWeb::place_of(Vec3d of_lamp) const {
+  const Vec3d direction = web_from_lamp(of_lamp);
   const double vertical = std::atan2(std::hypot(direction.x, direction.y), direction.z);
   // What is measured up to 90 degrees lights the horizon, too, however that is rounded.
   constexpr double slack = 1e-9;
   if (vertical < vertical_.front() - slack || vertical > vertical_.back() + slack) return {};
   double horizontal = std::atan2(-direction.y, direction.x);
-  if (horizontal < horizontal_.front()) horizontal += 2.0 * pi;
+  if (horizontal < horizontal_.front() - slack) horizontal += 2.0 * pi;
+  if (horizontal > horizontal_.back() + slack) return {};
   Place place{cell_of(horizontal_, horizontal), cell_of(vertical_, vertical)};
   const auto within = [](const std::vector<double>& edges, std::size_t cell, double x) {
     return std::clamp((x - edges[cell]) / (edges[cell + 1] - edges[cell]), 0.0, 1.0);
@@ -102,16 +159,23 @@ double PhotometricWeb::intensity(Vec3d direction) const {
   return top * (1.0 - t) + bottom * t;
 }
 
+// In a cell the cosine to any axis of the web is least at a corner.
 double PhotometricWeb::least_cosine() const {
-  std::size_t last = vertical_.size() - 1;
-  const auto is_dark = [this](std::size_t row) {
-    for (std::size_t column = 0; column < horizontal_.size(); ++column) {
-      if (at_corner(column, row) > 0.0) return false;
+  double least = 1.0;
+  for (std::size_t column = 0; column + 1 < horizontal_.size(); ++column) {
+    for (std::size_t row = 0; row + 1 < vertical_.size(); ++row) {
+      if (!(flux_of_cell(column, row) > 0.0)) continue;
+      for (const std::size_t c : {column, column + 1}) {
+        for (const std::size_t r : {row, row + 1}) {
+          const double sine = std::sin(vertical_[r]);
+          const Vec3d corner(sine * std::cos(horizontal_[c]), -sine * std::sin(horizontal_[c]),
+                             std::cos(vertical_[r]));
+          least = std::min(least, lamp_from_web(corner).z);
+        }
+      }
     }
-    return true;
-  };
-  while (last > 1 && is_dark(last) && is_dark(last - 1)) --last;
-  return std::cos(vertical_[last]);
+  }
+  return least;
 }
 
 PhotometricWeb::Sample PhotometricWeb::sample(Vec2d u) const {
@@ -123,7 +187,7 @@ PhotometricWeb::Sample PhotometricWeb::sample(Vec2d u) const {
   const double z = top + row.remainder * (bottom - top);
   const double sine = std::sqrt(std::max(0.0, (1.0 - z) * (1.0 + z)));
   const double pdf = column.probability * row.probability / solid_angle(column.index, row.index);
-  return {{sine * std::cos(phi), -sine * std::sin(phi), z}, pdf};
+  return {lamp_from_web({sine * std::cos(phi), -sine * std::sin(phi), z}), pdf};
 }
 
 double PhotometricWeb::pdf(Vec3d direction) const {

@@ -8,21 +8,31 @@
 
 namespace lapidary::light {
 
-/// The luminous intensity of a lamp by direction, as it is measured: photometry of type C.
+/// The luminous intensity of a lamp by direction, as it is measured.
 ///
-/// Directions are local: z is the lamp's axis, where the vertical angle is 0; it grows to 180
-/// degrees at -z. The horizontal angle grows from x towards -y: counter-clockwise as seen from
-/// above, for a lamp whose axis is down. Between the angles of the table the intensity is linear in
-/// both, beyond its vertical angles there is none.
+/// Directions are local, z is the lamp's axis. Type C, of lamps for rooms and streets: the vertical
+/// angle is 0 at z and grows to 180 degrees at -z; the horizontal one grows from x towards -y:
+/// counter-clockwise as seen from above, for a lamp whose axis is down. Types A and B, of
+/// headlights and floodlights, whose axis is level: both angles are 0 at z, the vertical one grows
+/// towards x, which is up, and the horizontal one towards y, which is right as seen from behind the
+/// lamp. One of them turns half planes about the polar axis, and the other one is taken in such a
+/// plane: of type A the polar axis is x, of type B it is y.
+///
+/// Between the angles of the table the intensity is linear in both, beyond them there is none.
+/// Source: ANSI/IES LM-63-2019; LM-75.
 class PhotometricWeb {
  public:
-  /// Angles in degrees, strictly ascending. What of the circle the horizontal ones leave out
-  /// follows by symmetry, as the standard has it: one angle, 0: the same all around; 0 to 90: the
-  /// same in all quadrants; 0 to 180 and 90 to 270: mirrored; 0 to 360: all of it.
+  enum class Type { c, b, a };
+
+  /// Angles in degrees, strictly ascending. Of type C, what of the circle the horizontal ones leave
+  /// out follows by symmetry, as the standard has it: one angle, 0: the same all around; 0 to 90:
+  /// the same in all quadrants; 0 to 180 and 90 to 270: mirrored; 0 to 360: all of it. Of types A
+  /// and B both are in [-90, 90], and mirrored where they begin at 0.
   struct Table {
-    std::vector<double> vertical;    ///< at least two, in [0, 180]
-    std::vector<double> horizontal;  ///< from and to one of the above
+    std::vector<double> vertical;    ///< at least two, of type C in [0, 180]
+    std::vector<double> horizontal;  ///< of types A and B at least two
     std::vector<float> candela;      ///< for each horizontal angle all vertical ones; >= 0
+    Type type = Type::c;
   };
 
   /// Not all of the table is zero.
@@ -32,7 +42,7 @@ class PhotometricWeb {
   double intensity(Vec3d direction) const;
   /// The integral of the intensity over all directions, in lumens; exact.
   double flux() const { return flux_; }
-  /// Cosine of the vertical angle that no light is beyond.
+  /// Cosine of the angle to z that no light is beyond.
   double least_cosine() const;
 
   struct Sample {
@@ -46,6 +56,15 @@ class PhotometricWeb {
   double pdf(Vec3d direction) const;
 
  private:
+  /// A table by angles about the web's own z: as of type C, but not always of a whole circle.
+  struct Grid {
+    std::vector<double> polar, azimuth;  // degrees
+    std::vector<float> candela;          // for each azimuth all polar angles
+  };
+  static Grid grid_of(const Table& table);
+  Vec3d web_from_lamp(Vec3d v) const;
+  Vec3d lamp_from_web(Vec3d v) const;
+
   struct Place {
     std::size_t column = 0, row = 0;  ///< of a cell
     double across = 0, down = 0;      ///< in it, in [0, 1]
@@ -57,8 +76,9 @@ class PhotometricWeb {
   double flux_of_cell(std::size_t column, std::size_t row) const;
   double solid_angle(std::size_t column, std::size_t row) const;
 
-  std::vector<double> vertical_;    // radians
-  std::vector<double> horizontal_;  // radians, a whole circle
+  Type type_;
+  std::vector<double> vertical_;    // radians, about the web's z
+  std::vector<double> horizontal_;  // radians
   std::vector<float> candela_;
   double flux_ = 0;
   std::optional<DiscreteDistribution> columns_;

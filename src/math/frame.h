@@ -6,7 +6,7 @@
 
 namespace lapidary {
 
-/// A right-handed orthonormal basis; local z is `normal`.
+/// An orthonormal basis, right-handed where nothing else is said; local z is `normal`.
 struct Frame {
   Vec3d tangent{1, 0, 0};
   Vec3d bitangent{0, 1, 0};

@@ -76,8 +76,9 @@ PreparedMaterial prepare_material(const description::Material& material) {
   const auto* emissive = std::get_if<description::Emissive>(&material.model);
   const texture::Color albedo = emissive ? albedo_of(*emissive) : Albedo::of(finish);
   const texture::Color pattern = emissive ? emissive->pattern : white();
-  return {std::move(finish), albedo, material.detail, pattern,
-          description::variation_of(material) == description::Variation::in_space};
+  const bool in_space = description::variation_of(material) == description::Variation::in_space;
+  const bool lets_through = bsdf::lets_through(finish), has_grain = bsdf::has_grain(finish);
+  return {std::move(finish), albedo, material.detail, pattern, in_space, lets_through, has_grain};
 }
 
 }  // namespace lapidary::scene

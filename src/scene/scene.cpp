@@ -33,7 +33,7 @@ Scene::Scene(Parts parts) : parts_(std::move(parts)) {
     note_pattern(placed.light, material(parts_.slots[placed.slot]));
   }
   has_gaps_ = std::any_of(parts_.materials.begin(), parts_.materials.end(),
-                          [](const PreparedMaterial& m) { return m.detail.has_gaps(); });
+                          [](const PreparedMaterial& m) { return scene::has_gaps(m); });
   casters_ = find_casters(parts_);
 }
 

@@ -23,9 +23,16 @@ struct PreparedMaterial {
   bsdf::Finish finish;
   texture::Color albedo;  ///< what it reflects or lets through, for the albedo layer
   bsdf::SurfaceDetail detail;
-  texture::Color pattern;  ///< of a light source: multiplies what it emits
-  bool in_space = false;   ///< its textures ask for more than the surface's own coordinates
+  texture::Color pattern;     ///< of a light source: multiplies what it emits
+  bool in_space = false;      ///< its textures ask for more than the surface's own coordinates
+  bool lets_through = false;  ///< light goes straight through, as bsdf::straight_through says
+  bool has_grain = false;     ///< it matters which way the surface's own coordinates run
 };
+
+/// Whether light passes straight through: where the material is not there, or is a pane.
+inline bool has_gaps(const PreparedMaterial& material) {
+  return material.detail.has_gaps() || material.lets_through;
+}
 
 /// What one part of an object wears: an object has one slot, a mesh with several materials one for
 /// each of them.
@@ -35,7 +42,7 @@ struct Slot {
   std::uint32_t object = 0;
   std::uint32_t material = 0;
   std::uint32_t light = no_light;
-  std::uint32_t frame = no_frame;  ///< of its textures; none where the material has none
+  std::uint32_t frame = no_frame;  ///< of its textures and grain; none where it has neither
 };
 
 /// The light of a slot that instances share, at one of their places.

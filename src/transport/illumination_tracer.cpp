@@ -116,6 +116,11 @@ bool IlluminationTracer::Path::survives_roulette(double u) {
 void IlluminationTracer::Path::take(const Vertex& vertex, const Scattered& way) {
   const bsdf::BsdfSample& sample = way.sample;
   beta_ *= sample.weight;
+  if (sample.side == bsdf::Side::straight) {
+    // Light sampling sees through: where the path was scattered last stays its origin.
+    walk_.scatter(vertex, sample, way.direction);
+    return;
+  }
   if (sample.lobe != Lobe::specular) {
     beta_ *= static_cast<float>(terminator_share(vertex, way.direction, sample.wi));
   }
@@ -165,11 +170,15 @@ SampledSpectrum IlluminationTracer::Path::follow(FirstSurface& first) {
       add_infinite_lights();
       return L_;
     }
-    if (walk_.depth() == 0) note_first(first);
+    if (walk_.is_at_first_surface()) note_first(first);
     add_light_met();
     const bool is_last = walk_.depth() > 0 && lobe_ == Lobe::diffuse;
-    if (is_last || walk_.depth() == tracer_.max_depth_) return L_;
     const Vertex vertex = walk_.vertex();
+    if (is_last || walk_.depth() == tracer_.max_depth_) {
+      if (!walk_.material().lets_through) return L_;
+      take(vertex, straight_way(vertex, walk_.ray().direction));
+      continue;
+    }
     const auto* glass = std::get_if<bsdf::SmoothDielectric>(&vertex.bsdf);
     if (glass != nullptr && splits_ > 0) {
       if (!split(*glass, vertex, first)) return L_;
@@ -177,7 +186,7 @@ SampledSpectrum IlluminationTracer::Path::follow(FirstSurface& first) {
     }
     const VertexPoints points = walk_.points();
     if (!is_specular(vertex.bsdf)) {
-      const NextEvent::Place place{vertex, walk_.media(), walk_.cone()};
+      const NextEvent::Place place{vertex, walk_.media(), walk_.cone(), walk_.inside()};
       L_ += beta_ * tracer_.next_event_.direct_light(place, points, context_);
     }
     if (!scatter(vertex, points)) return L_;

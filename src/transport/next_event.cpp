@@ -69,31 +69,48 @@ SampledSpectrum NextEvent::direct_light(const Place& place, const VertexPoints& 
   const double pdf_light = choice.probability * sample->pdf;
   const double weight =
       sample->extent == light::Extent::delta ? 1.0 : power_heuristic(pdf_light, f.pdf);
-  const bool back_where_it_came_from = (wi.z > 0.0) == (vertex.wo.z > 0.0);
-  const std::uint32_t way = back_where_it_came_from ? place.media.before : place.media.after;
-  const SampledSpectrum kept =
-      medium::transmittance(scene_.medium(way), sample->distance, context.wavelengths);
   const double softened = terminator_share(vertex, sample->wi, wi);
-  return f.f_cos * sample->L * share * kept * static_cast<float>(softened * weight / pdf_light);
+  return f.f_cos * sample->L * share * static_cast<float>(softened * weight / pdf_light);
+}
+
+Way NextEvent::way_to(const light::LightSample& sample, const Place& place) const {
+  const Vertex& vertex = place.vertex;
+  Way way{ray_to_light(vertex.surface, sample), place.cone, place.inside, place.media.before};
+  const bool passes = (vertex.frame.to_local(sample.wi).z > 0.0) != (vertex.wo.z > 0.0);
+  if (passes) {
+    way.medium = place.media.after;
+    way.inside.cross(scene_, vertex.surface, sample.wi);
+  }
+  return way;
+}
+
+SampledSpectrum NextEvent::left(const Sight& sight, double distance,
+                                const SampleContext& context) const {
+  return sight.share * medium::transmittance(scene_.medium(sight.medium), distance - sight.passed,
+                                             context.wavelengths);
 }
 
 SampledSpectrum NextEvent::arriving(std::uint32_t index, const light::LightSample& sample,
                                     const Place& place, const SampleContext& context) const {
-  Ray shadow = ray_to_light(place.vertex.surface, sample);
+  Way way = way_to(sample, place);
+  Ray& shadow = way.ray;
   if (sample.on_leaf || scene_.has_pattern(index)) {
     const geometry::LeafPatch* leaf = sample.on_leaf ? &*sample.on_leaf : nullptr;
-    return met_share({index, leaf, shadow.t_max}, shadow, place.cone, context);
+    return met_share({index, leaf, shadow.t_max}, way, context);
   }
   const bool triangles = std::holds_alternative<light::MeshLight>(scene_.lights()[index]);
   const double margin = triangles ? light_margin_ : 0.0;
   shadow.t_max = std::max(0.0, shadow.t_max * just_before_light - margin);
   if (scene_.has_gaps()) {
-    const Sight sight = look(scene_, shadow, place.cone, context.counters);
+    const Sight sight = look(scene_, way, context.wavelengths, context.counters);
     const bool is_free = sight.hit.kind == SurfaceKind::none;
-    return SampledSpectrum(is_free ? static_cast<float>(sight.share) : 0.0f);
+    return is_free ? left(sight, sample.distance, context) : SampledSpectrum();
   }
   ++context.counters.occlusion_queries;
-  return SampledSpectrum(scene_.world().occluded(shadow) ? 0.0f : 1.0f);
+  if (scene_.world().occluded(shadow)) return {};
+  Sight free;
+  free.medium = way.medium;
+  return left(free, sample.distance, context);
 }
 
 // What counts here must be just what chance hits weigh against: a hit that `light_met` takes for
@@ -111,20 +128,21 @@ bool NextEvent::is_drawn_point(const Target& target, const Sight& sight) const {
                                                   target.distance - sight.passed, hit.t);
 }
 
-SampledSpectrum NextEvent::met_share(const Target& target, Ray ray, camera::Cone cone,
+SampledSpectrum NextEvent::met_share(const Target& target, Way way,
                                      const SampleContext& context) const {
   // There is nothing to find behind the point. That rounding moves a hit by its whole distance
   // means that it cannot be told from what the ray starts on.
-  ray.t_max = 2.0 * target.distance;
-  const Sight sight = look(scene_, ray, cone, context.counters);
+  way.ray.t_max = 2.0 * target.distance;
+  const Sight sight = look(scene_, way, context.wavelengths, context.counters);
   if (!is_drawn_point(target, sight)) return {};
-  const SampledSpectrum share(static_cast<float>(sight.share));
+  const SampledSpectrum share = left(sight, target.distance, context);
   if (!scene_.has_pattern(target.light)) return share;
   const Surface surface = scene_.world().surface(sight.ray, sight.hit);
   const scene::PreparedMaterial& material = scene_.material(scene_.slot(sight.hit));
-  return share * pattern_at(scene_, material,
-                            {sight.hit, surface, ray.direction, cone.width_at(target.distance)},
-                            context.wavelengths);
+  return share *
+         pattern_at(scene_, material,
+                    {sight.hit, surface, way.ray.direction, way.cone.width_at(target.distance)},
+                    context.wavelengths);
 }
 
 }  // namespace lapidary::transport

@@ -22,7 +22,7 @@ SampledSpectrum pattern_at(const scene::Scene& scene, const scene::PreparedMater
 double before_triangles(const geometry::World& world);
 
 /// Next-event estimation: the light that comes straight from lights to the vertices of a path,
-/// through gaps if there are any. Immutable, shared by all threads.
+/// through gaps and panes if there are any. Immutable, shared by all threads.
 class NextEvent {
  public:
   explicit NextEvent(const scene::Scene& scene);
@@ -31,7 +31,8 @@ class NextEvent {
   struct Place {
     const Vertex& vertex;
     const MediaPair& media;
-    camera::Cone cone;  ///< of the path there
+    camera::Cone cone;        ///< of the path there
+    const MeshStack& inside;  ///< of the path, before the vertex
   };
 
   /// Radiance that the vertex scatters along the path, from one light, weighted by the power
@@ -50,10 +51,13 @@ class NextEvent {
   /// The share of a sample of light `index` that reaches the place.
   SampledSpectrum arriving(std::uint32_t index, const light::LightSample& sample,
                            const Place& place, const SampleContext& context) const;
-  /// The same of a light that has to be met to know what it gives: a part of a combination, or one
-  /// with a pattern. `ray` ends at the point drawn.
-  SampledSpectrum met_share(const Target& target, geometry::Ray ray, camera::Cone cone,
-                            const SampleContext& context) const;
+  /// The way to a sampled point of a light, ending there.
+  Way way_to(const light::LightSample& sample, const Place& place) const;
+  /// The same share of a light that has to be met to know what it gives: a part of a combination,
+  /// or one with a pattern. The way ends at the point drawn.
+  SampledSpectrum met_share(const Target& target, Way way, const SampleContext& context) const;
+  /// What is left of light that comes along a way of this length, with this at its end.
+  SampledSpectrum left(const Sight& sight, double distance, const SampleContext& context) const;
   /// Whether the end of a way is the point that was drawn.
   bool is_drawn_point(const Target& target, const Sight& sight) const;
 

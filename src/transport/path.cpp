@@ -62,6 +62,8 @@ class Path {
 
   /// Follows one sampled way; false when the path ends.
   bool scatter(const Vertex& vertex, const VertexPoints& points, bool is_narrow);
+  /// Goes straight through, where that is possible and nothing else counts.
+  bool pass_straight();
   bool take_specular(const Vertex& vertex, const std::optional<bsdf::BsdfSample>& sample);
   /// Follows what is reflected to its end, and goes on with what is refracted.
   bool split(const bsdf::SmoothDielectric& glass, const Vertex& vertex, FirstSurface& first);
@@ -122,7 +124,7 @@ void Path::add_light_met() {
 
 void Path::add_direct_light(const Vertex& vertex, const VertexPoints& points, bool is_narrow) {
   if (is_specular(vertex.bsdf) || is_caustic(is_narrow)) return;
-  const NextEvent::Place place{vertex, walk_.media(), walk_.cone()};
+  const NextEvent::Place place{vertex, walk_.media(), walk_.cone(), walk_.inside()};
   L_ += beta_ * fixed_.next_event.direct_light(place, points, fixed_.context);
 }
 
@@ -155,6 +157,11 @@ void Path::note_first(FirstSurface& first) const {
 bool Path::take(const Vertex& vertex, const Scattered& way, bool is_narrow) {
   const bsdf::BsdfSample& sample = way.sample;
   beta_ *= sample.weight;
+  if (sample.side == bsdf::Side::straight) {
+    // Light sampling sees through: where the path was scattered last stays its origin.
+    walk_.scatter(vertex, sample, way.direction);
+    return !beta_.is_zero();
+  }
   const bool is_specular_way = sample.lobe == Lobe::specular;
   if (!is_specular_way) {
     beta_ *= static_cast<float>(terminator_share(vertex, way.direction, sample.wi));
@@ -193,6 +200,12 @@ bool Path::scatter(const Vertex& vertex, const VertexPoints& points, bool is_nar
   return way && take(vertex, *way, is_narrow) && survives_roulette(points.roulette());
 }
 
+bool Path::pass_straight() {
+  if (!walk_.material().lets_through) return false;
+  const Vertex vertex = walk_.vertex();
+  return take(vertex, straight_way(vertex, walk_.ray().direction), true);
+}
+
 bool Path::take_specular(const Vertex& vertex, const std::optional<bsdf::BsdfSample>& sample) {
   if (!sample) return false;
   const Vec3d direction = vertex.frame.to_world(sample->wi);
@@ -220,9 +233,12 @@ SampledSpectrum Path::follow(FirstSurface& first) {
       add_infinite_lights();
       return L_;
     }
-    if (walk_.depth() == 0) note_first(first);
+    if (walk_.is_at_first_surface()) note_first(first);
     add_light_met();
-    if (walk_.depth() == fixed_.settings.max_depth || only_light_counts) return L_;
+    if (walk_.depth() == fixed_.settings.max_depth || only_light_counts) {
+      if (!pass_straight()) return L_;
+      continue;
+    }
 
     const Vertex vertex = walk_.vertex();
     const auto* glass = std::get_if<bsdf::SmoothDielectric>(&vertex.bsdf);

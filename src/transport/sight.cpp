@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "transport/lookup.h"
+#include "transport/relief.h"
+#include "transport/vertex.h"
 
 namespace lapidary::transport {
 
@@ -28,28 +29,59 @@ bool aim(Sight& sight, const geometry::Ray& way) {
   return true;
 }
 
+/// What was met on a leg.
+struct Obstacle {
+  const scene::PreparedMaterial& material;
+  geometry::Surface surface;
+  MediaPair media;
+};
+
+SampledSpectrum share_through(const scene::Scene& scene, const Obstacle& met,
+                              const SurfaceLookup& lookup, Vec3d direction,
+                              const Wavelengths& wavelengths) {
+  const bsdf::SurfaceDetail& detail = met.material.detail;
+  const double there = detail.has_gaps() ? opacity(detail, lookup.at) : 1.0;
+  const SampledSpectrum beside(static_cast<float>(1.0 - there));
+  if (!met.material.lets_through || there == 0.0) return beside;
+  geometry::Surface surface = met.surface;
+  if (detail.has_relief()) {
+    surface.shading_normal = relief_normal(detail, surface, lookup, direction);
+  }
+  const Vertex vertex = make_vertex({met.material, surface, lookup, direction,
+                                     scene.medium(met.media.before), scene.medium(met.media.after)},
+                                    wavelengths, bsdf::Carried::all);
+  return beside + straight_through(vertex.bsdf, vertex.wo) * static_cast<float>(there);
+}
+
 }  // namespace
 
-Sight look(const scene::Scene& scene, geometry::Ray ray, camera::Cone cone, Counters& counters) {
+Sight look(const scene::Scene& scene, const Way& way, const Wavelengths& wavelengths,
+           Counters& counters) {
   Sight sight;
-  sight.ray = ray;
+  sight.ray = way.ray;
+  sight.medium = way.medium;
+  MeshStack inside = way.inside;
+  const Vec3d direction = way.ray.direction;
   for (;;) {
     ++counters.nearest_queries;
     sight.hit = scene.world().nearest(sight.ray);
     const geometry::Hit& hit = sight.hit;
     if (hit.kind == geometry::SurfaceKind::none) return sight;
-    const bsdf::SurfaceDetail& detail = scene.material(scene.slot(hit)).detail;
-    if (!detail.has_gaps()) return sight;
+    const scene::PreparedMaterial& material = scene.material(scene.slot(hit));
+    if (!has_gaps(material)) return sight;
     const geometry::Surface surface = scene.world().surface(sight.ray, hit);
-    const double width = cone.width_at(sight.passed + hit.t);
-    const double there =
-        opacity(detail, SurfaceLookup(scene, {hit, surface, ray.direction, width}).at);
-    if (there == 1.0) return sight;
-    sight.share *= 1.0 - there;
     const double before = sight.passed + hit.t;
-    sight.ray = geometry::World::leave(surface, ray.direction);
+    const SurfaceLookup lookup(scene, {hit, surface, direction, way.cone.width_at(before)});
+    const MediaPair media = inside.media(scene, hit, surface, direction);
+    const SampledSpectrum through =
+        share_through(scene, {material, surface, media}, lookup, direction, wavelengths);
+    if (through.is_zero()) return sight;
+    sight.share *= through * medium::transmittance(scene.medium(media.before), hit.t, wavelengths);
+    sight.medium = media.after;
+    inside.cross(scene, surface, direction);
+    sight.ray = geometry::World::leave(surface, direction);
     sight.passed = before;
-    if (std::isfinite(ray.t_max) && !aim(sight, ray)) return sight;
+    if (std::isfinite(way.ray.t_max) && !aim(sight, way.ray)) return sight;
   }
 }
 

@@ -9,14 +9,17 @@
 #include "math/frame.h"
 #include "scene/scene.h"
 #include "spectrum/wavelengths.h"
+#include "transport/lookup.h"
 
 namespace lapidary::transport {
 
 /// A point of a path where light scatters.
 struct Vertex {
   geometry::Surface surface;
-  Frame frame;  ///< local z is the shading normal; of opaque materials, on the side of wo
-  Vec3d wo;     ///< local
+  /// Local z is the shading normal; of opaque materials, on the side of wo. Of those with a grain x
+  /// is along dp/du and y on the side of dp/dv: left-handed where these are.
+  Frame frame;
+  Vec3d wo;  ///< local
   bsdf::Bsdf bsdf;
   light::LitPoint lit;  ///< what lights are chosen for
 };
@@ -25,8 +28,8 @@ struct Vertex {
 struct Meeting {
   const scene::PreparedMaterial& material;
   const geometry::Surface& surface;
-  const texture::Lookup& lookup;  ///< counts where the material has textures
-  Vec3d direction;                ///< of the ray
+  const SurfaceLookup& lookup;  ///< counts where the material has textures or a grain
+  Vec3d direction;              ///< of the ray
   /// On the ray's way here, and on the other side.
   const medium::Medium &before, &after;
 };

@@ -79,12 +79,18 @@ void Walk::pass_through() {
 }
 
 Vertex Walk::vertex() const {
-  return make_vertex({*material_, surface_, lookup_.at, ray_.direction,
-                      scene_.medium(media_.before), scene_.medium(media_.after)},
+  return make_vertex({*material_, surface_, lookup_, ray_.direction, scene_.medium(media_.before),
+                      scene_.medium(media_.after)},
                      context_.wavelengths, carried_);
 }
 
 void Walk::scatter(const Vertex& vertex, const bsdf::BsdfSample& sample, Vec3d direction) {
+  ++vertices_;
+  presence_.reset();
+  if (sample.side == bsdf::Side::straight) {
+    pass_through();
+    return;
+  }
   if (sample.carried == bsdf::Carried::hero) carried_ = bsdf::Carried::hero;
   if (sample.lobe != Lobe::specular) {
     cone_.spread = std::max(cone_.spread, spread(sample.pdf));
@@ -92,8 +98,14 @@ void Walk::scatter(const Vertex& vertex, const bsdf::BsdfSample& sample, Vec3d d
   if (sample.lobe == Lobe::diffuse) care_ = texture::Lookup::Care::glance;
   if ((sample.wi.z > 0.0) != (vertex.wo.z > 0.0)) inside_.cross(scene_, surface_, direction);
   ray_ = geometry::World::leave(surface_, direction);
-  presence_.reset();
   ++depth_;
+}
+
+Scattered straight_way(const Vertex& vertex, Vec3d direction) {
+  bsdf::BsdfSample straight{-vertex.wo, straight_through(vertex.bsdf, vertex.wo)};
+  straight.lobe = bsdf::Lobe::specular;
+  straight.side = bsdf::Side::straight;
+  return {straight, direction};
 }
 
 std::optional<Scattered> sample_direction(const Vertex& vertex, const VertexPoints& points,

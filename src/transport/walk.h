@@ -32,6 +32,7 @@ class Walk {
   const geometry::Hit& hit() const { return hit_; }
   const geometry::Surface& surface() const { return surface_; }
   const MediaPair& media() const { return media_; }
+  const MeshStack& inside() const { return inside_; }  ///< before the surface
   const scene::Slot& slot() const { return *slot_; }
   const scene::PreparedMaterial& material() const { return *material_; }
   const texture::Lookup& lookup() const { return lookup_.at; }
@@ -39,11 +40,14 @@ class Walk {
   Met met() const { return {hit_, surface_, ray_.direction, cone_.width, care_}; }
 
   int depth() const { return depth_; }  ///< scattering events so far
+  /// Whether nothing was met before, panes that were gone straight through included.
+  bool is_at_first_surface() const { return vertices_ == 0; }
   bsdf::Carried carried() const { return carried_; }
-  VertexPoints points() const { return VertexPoints(context_.points, depth_); }
+  VertexPoints points() const { return VertexPoints(context_.points, vertices_); }
 
   Vertex vertex() const;
-  /// Leaves the vertex on the way that was sampled there, to `direction` in the world.
+  /// Leaves the vertex on the way that was sampled there, to `direction` in the world. A straight
+  /// way scatters nothing.
   void scatter(const Vertex& vertex, const bsdf::BsdfSample& sample, Vec3d direction);
 
  private:
@@ -72,14 +76,18 @@ class Walk {
   MeshStack inside_;
   std::optional<double> presence_;  ///< decides about gaps before the next vertex
   int depth_ = 0;
+  int vertices_ = 0;  ///< left so far: those that are scattering events, and straight ways
 };
 
-/// A direction from a vertex that does not pass through a smooth surface where its shading normal
-/// says so: nothing where the light is lost.
+/// A way that light takes from a vertex.
 struct Scattered {
   bsdf::BsdfSample sample;
   Vec3d direction;  ///< in the world
 };
+/// The way straight through a vertex where light sampling sees through, with what is left of light.
+Scattered straight_way(const Vertex& vertex, Vec3d direction);
+/// A direction from a vertex that does not pass through a smooth surface where its shading normal
+/// says so: nothing where the light is lost.
 std::optional<Scattered> sample_direction(const Vertex& vertex, const VertexPoints& points,
                                           bsdf::Mode mode);
 

@@ -44,7 +44,8 @@ TEST(Sampling, WeighsByValueOverDensity) {
           const auto s = sample(bsdf, wo, u_lobe, random.uniform2(), mode);
           if (!s) continue;
           EXPECT_NEAR(length(s->wi), 1.0, 1e-9);
-          EXPECT_EQ(s->side == Side::transmitted, s->wi.z * wo.z < 0.0);
+          EXPECT_EQ(s->side != Side::reflected, s->wi.z * wo.z < 0.0);
+          EXPECT_EQ(s->side == Side::straight, s->wi == -wo);
           if (s->lobe == Lobe::specular) {
             EXPECT_EQ(s->pdf, 0.0);
             continue;

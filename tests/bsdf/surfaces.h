@@ -12,17 +12,17 @@ struct NamedBsdf {
   Bsdf bsdf;
 };
 
-inline Bsdf white_metal(double alpha) {
-  return Conductor(ConductorFresnel::from_normal_incidence(SampledSpectrum(1.0f)), alpha);
+inline Bsdf white_metal(const Grain& grain) {
+  return Conductor(ConductorFresnel::from_normal_incidence(SampledSpectrum(1.0f)), grain);
 }
 
 /// Indices of a glass that disperses more than any real one.
 inline constexpr std::array<double, 4> dispersive_indices{1.5, 1.62, 1.45, 1.56};
 
-inline Bsdf glass(double n, double alpha) {
+inline Bsdf glass(double n, const Grain& grain) {
   const RelativeIndex index({1, 1, 1, 1}, {n, n, n, n});
-  if (alpha == 0.0) return SmoothDielectric{index};
-  return RoughDielectric(index, alpha);
+  if (grain.alpha == 0.0) return SmoothDielectric{index};
+  return RoughDielectric(index, grain);
 }
 
 inline Bsdf dispersive_glass(double alpha) {
@@ -63,6 +63,8 @@ inline std::vector<NamedBsdf> composite_surfaces() {
       {"patches", mixture(matte, white_metal(0.3), 0.3)},
       {"dirty pane", mixture(pane(1.5, blue), matte, 0.4)},
       {"dirty glass", mixture(coated({.index = 1.5}, matte), glass(1.5, 0.3), 0.6)},
+      {"brushed varnish",
+       coated({.index = 1.5, .alpha = 0.2, .anisotropy = 0.8, .rotation = 1.0}, matte)},
       {"coated glass", coated({.index = 1.4, .alpha = 0.3, .color = blue}, glass(1.5, 0.3))},
   };
 }
@@ -84,6 +86,11 @@ inline std::vector<NamedBsdf> rough_surfaces() {
     all.push_back({"thin liquid" + suffix, glass(0.75, alpha)});
     all.push_back({"dispersive glass" + suffix, dispersive_glass(alpha)});
   }
+  const Grain brushed{0.4, 0.7, 0.5};
+  all.push_back({"brushed metal", Conductor(ConductorFresnel::from_index(n, k), brushed)});
+  all.push_back({"white brushed metal", white_metal({0.8, 0.9, 2.0})});
+  all.push_back({"brushed liquid", glass(0.75, brushed)});
+  all.push_back({"brushed window", glass(1.5, {0.15, 0.5, -1.0})});
   return all;
 }
 

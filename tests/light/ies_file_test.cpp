@@ -83,14 +83,83 @@ TEST(IesFile, ThatIsWrongSaysWhatAndWhere) {
   EXPECT_THAT(message_of(replaced(lamp, " 3 2 1 ", " 3000000000 2 1 ")),
               HasSubstr("lamp.ies:5: the number of vertical angles must be a whole number from 2"));
   EXPECT_THAT(message_of(replaced(lamp, " 3 2 1 ", " 3 -2 1 ")), HasSubstr("horizontal angles"));
-  EXPECT_THAT(message_of(replaced(lamp, " 3 2 1 ", " 3 2 2 ")),
-              HasSubstr("photometry type B, which is not read"));
+  EXPECT_THAT(message_of(replaced(lamp, " 3 2 1 ", " 3 2 4 ")),
+              HasSubstr("the type of photometry must be a whole number from 1 to 3, not 4"));
   EXPECT_THAT(message_of(replaced(lamp, "0 45 90", "0 45 45")),
               HasSubstr("lamp.ies:7: a vertical angle of 45 must be greater"));
   EXPECT_THAT(message_of(replaced(lamp, "0 45 90", "0 45 80")), HasSubstr("not from 0 to 80"));
   EXPECT_THAT(message_of(replaced(lamp, "0, 90", "0, 95")), HasSubstr("horizontal angles of type"));
   EXPECT_THAT(message_of(replaced(lamp, "1 1000 2 3", "1 1000 0 3")),
               HasSubstr("the profile gives no light"));
+}
+
+// A floodlight: 5 candela straight on, more to the right and above, each by its own angle.
+std::string beam(const std::string& type) {
+  return "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 3 3 " + type +
+         " 2 0 0 0\n1 1 60\n-30 0 60\n-90 0 45\n"
+         "1 1 1\n2 5 20\n7 8 9\n";
+}
+
+Vec3d turned(double first, double second) {
+  return {radians(first), radians(second), 0};
+}
+
+// Of type B a point of the lamp's aim is reached by turning up about the level axis by the vertical
+// angle, and then right, in the plane there; of type A the other way round.
+TEST(IesFile, OfBeamsIsReadByTheirPolarAxis) {
+  const PhotometricWeb b = parse_ies(beam("2"), "b.ies"), a = parse_ies(beam("3"), "a.ies");
+  const auto direction_b = [](double v, double h) {
+    const Vec3d t = turned(v, h);
+    return Vec3d(std::cos(t.y) * std::sin(t.x), std::sin(t.y), std::cos(t.y) * std::cos(t.x));
+  };
+  const auto direction_a = [](double v, double h) {
+    const Vec3d t = turned(v, h);
+    return Vec3d(std::sin(t.x), std::cos(t.x) * std::sin(t.y), std::cos(t.x) * std::cos(t.y));
+  };
+  const double vertical[] = {-30, 0, 60}, horizontal[] = {-90, 0, 45};
+  const double candela[] = {1, 1, 1, 2, 5, 20, 7, 8, 9};
+  for (int h = 0; h < 3; ++h) {
+    for (int v = 0; v < 3; ++v) {
+      // At a pole all longitudes are one.
+      if (h > 0) {
+        EXPECT_NEAR(b.intensity(direction_b(vertical[v], horizontal[h])), candela[3 * h + v], 1e-4);
+      }
+      EXPECT_NEAR(a.intensity(direction_a(vertical[v], horizontal[h])), candela[3 * h + v], 1e-4);
+    }
+  }
+  // Half way in one angle, in both types; far apart where both are not zero.
+  EXPECT_NEAR(b.intensity(direction_b(30, 0)), 12.5, 1e-4);
+  EXPECT_NEAR(a.intensity(direction_a(0, 22.5)), 6.5, 1e-4);
+  // Nothing beyond the table, behind the lamp least of all.
+  for (const PhotometricWeb& web : {a, b}) {
+    EXPECT_EQ(web.intensity({0, 0, -1}), 0.0);
+    EXPECT_EQ(web.intensity(direction_a(-31, 0)), 0.0);
+    EXPECT_EQ(web.intensity(direction_a(61, 0)), 0.0);
+  }
+  EXPECT_EQ(a.intensity(direction_a(0, 46)), 0.0);
+  EXPECT_EQ(b.intensity(direction_b(0, 46)), 0.0);
+}
+
+TEST(IesFile, OfHalfABeamIsMirrored) {
+  const std::string half =
+      "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 2 2 2 0 0 0\n1 1 60\n0 90\n0 90\n10 4\n2 2\n";
+  for (const char* type : {" 2 2 2 2 ", " 2 2 3 2 "}) {
+    const PhotometricWeb web = parse_ies(replaced(half, " 2 2 2 2 ", type), "");
+    Random random(7);
+    for (int i = 0; i < 100; ++i) {
+      const Vec3d v = abs(random.direction());
+      const double seen = web.intensity(v);
+      EXPECT_GT(seen, 0.0);
+      EXPECT_NEAR(web.intensity({-v.x, v.y, v.z}), seen, 1e-5);
+      EXPECT_NEAR(web.intensity({v.x, -v.y, v.z}), seen, 1e-5);
+      EXPECT_EQ(web.intensity({v.x, v.y, -v.z}), 0.0);
+    }
+    EXPECT_NEAR(web.least_cosine(), 0.0, 1e-12);
+  }
+  EXPECT_THAT(message_of(replaced(half, "0 90\n0 90", "10 90\n0 90")),
+              HasSubstr("vertical angles of types A and B go from 0"));
+  EXPECT_THAT(message_of(replaced(half, "0 90\n0 90", "0 90\n0 120")),
+              HasSubstr("not from 0 to 120"));
 }
 
 TEST(IesFile, OfAnyBytesIsReadOrRefused) {

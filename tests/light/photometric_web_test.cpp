@@ -31,11 +31,21 @@ Table table_of(std::vector<double> vertical, std::vector<double> horizontal, std
   return table;
 }
 
+Table of_type(PhotometricWeb::Type type, Table table) {
+  table.type = type;
+  return table;
+}
+
 std::vector<Table> tables() {
-  return {table_of({0, 10, 45, 90}, {0}, 1), table_of({0, 30, 50, 90, 180}, {0, 45, 90}, 2),
+  using Type = PhotometricWeb::Type;
+  return {table_of({0, 10, 45, 90}, {0}, 1),
+          table_of({0, 30, 50, 90, 180}, {0, 45, 90}, 2),
           table_of({90, 120, 180}, {0, 22.5, 120, 180}, 3),
           table_of({0, 60, 120, 180}, {90, 135, 225, 270}, 4),
-          table_of({0, 5, 80, 90}, {0, 70, 200, 310, 360}, 5)};
+          table_of({0, 5, 80, 90}, {0, 70, 200, 310, 360}, 5),
+          of_type(Type::a, table_of({-40, 10, 20, 90}, {0, 30, 50, 90}, 10)),
+          of_type(Type::b, table_of({-90, 10, 20, 70}, {-80, 30, 50}, 11)),
+          of_type(Type::b, table_of({0, 20, 70}, {0, 30, 90}, 12))};
 }
 
 TEST(PhotometricWeb, IsTheTableAtItsAnglesAndLinearBetween) {
@@ -76,7 +86,8 @@ TEST(PhotometricWeb, IsDarkBeyondItsVerticalAngles) {
   EXPECT_NEAR(PhotometricWeb({{0, 30, 60, 90}, {0}, {1, 1, 0, 0}}).least_cosine(), 0.5, 1e-12);
 }
 
-// Against the mean over uniform directions: 5 standard errors, 6e-7 false alarms for each of ten.
+// Against the mean over uniform directions: 5 standard errors, 6e-7 false alarms for each of
+// sixteen.
 TEST(PhotometricWeb, HasTheFluxOfItsIntensity) {
   Random random(13);
   for (const Table& table : tables()) {

@@ -74,6 +74,27 @@ TEST(Caustics, OfASphereLight) {
                      0.05);
 }
 
+/// Glass too thin to bend light.
+description::MaterialPtr pane() {
+  return material(description::ThinGlass{});
+}
+
+// Straight through a pane light is no caustic, whatever comes before or after it.
+TEST(Caustics, BehindAPane) {
+  expect_one_picture(lens_over_floor(glass(1.5))
+                         .add(geometry::Sphere{{0.2, 0, 3}, 0.5}, lamp(5.0))
+                         .add(geometry::Rectangle{{-2, -2, 1.7}, {4, 0, 0.3}, {0, 4, 0}}, pane()),
+                     0.05);
+}
+
+// What it mirrors is.
+TEST(Caustics, OfAPane) {
+  expect_one_picture(lens_over_floor(matte(0.5))
+                         .add(geometry::Sphere{{-0.5, 0, 4}, 1.0}, lamp(5.0))
+                         .add(geometry::Rectangle{{1.3, -2, 0.05}, {0, 4, 0}, {0, 0, 3}}, pane()),
+                     0.005);
+}
+
 TEST(Caustics, OfARectangle) {
   expect_one_picture(
       lens_over_floor(glass(1.5))

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "bsdf/table_lookup.h"
+
+namespace lapidary::bsdf {
+
+/// What keeps glossy facets of white metal white below a layer that lets T through by direction.
+///
+/// Light of the facets between wo and wi is weighed by a(wo) a(wi), so that it is reciprocal; the
+/// layer and the facets lose nothing where for each wo the mean of a(wo) a(wi) over the light that
+/// the facets send there is T(wo). For a mirror a is the root of T, for a diffuse base T over the
+/// root of its mean. Between these it is T over the root of T a little further up, which is about
+/// what the facets see, times a factor near one, which symmetric scaling finds on a few cosines to
+/// the normal. Source: Knight, Ruiz & Ucar 2014, "A Symmetry Preserving Algorithm for Matrix
+/// Scaling".
+class GlossyPassage {
+ public:
+  static constexpr std::size_t size = 12;
+
+  /// `alpha` in (0, 1] of the facets; `let_through` is T by the cosine, in (0, 1] above 0.
+  template <typename LetThrough>
+  GlossyPassage(double alpha, LetThrough let_through) : alpha_(alpha) {
+    std::array<double, size> t, seen;
+    for (std::size_t i = 0; i < size; ++i) {
+      t[i] = let_through(cosine(i, alpha_));
+      seen[i] = let_through(further_up(cosine(i, alpha_)));
+    }
+    solve(t, seen);
+  }
+
+  /// a over T; `mu` in [0, 1], and the same T.
+  template <typename LetThrough>
+  double share(double mu, LetThrough let_through) const {
+    const TablePlace place = table_place(cosine_coordinate(mu, scale(alpha_)), size);
+    const double factor = between(factor_[place.index], factor_[place.index + 1], place.fraction);
+    return factor / std::sqrt(let_through(further_up(mu)));
+  }
+
+  /// Cosines lie as close as facets of this alpha ask for: layers have a scale of their own, too.
+  static double scale(double alpha) { return std::max(alpha, 0.02); }
+  /// Of an entry, with facets of `alpha`.
+  static double cosine(std::size_t i, double alpha) {
+    const double x = static_cast<double>(i) / (size - 1), s = scale(alpha);
+    return x * s / (1.0 + s - x);
+  }
+
+ private:
+  double further_up(double mu) const {
+    const double alpha2 = alpha_ * alpha_;
+    return std::sqrt((mu * mu + alpha2) / (1.0 + alpha2));
+  }
+  void solve(const std::array<double, size>& t, const std::array<double, size>& seen);
+
+  double alpha_;
+  std::array<float, size> factor_;
+};
+
+/// Where light from the cosine of a row leaves, as weights of the cosines of its columns: of white
+/// metal, all bounces between its facets included. By `roughness_coordinate`, evenly from 0 to 1.
+/// Unit: 1e-4. Made by tools/glossy_lobe.cpp.
+inline constexpr std::size_t glossy_lobe_roughnesses = 16;
+using GlossyLobe = std::array<std::array<std::uint16_t, GlossyPassage::size>, GlossyPassage::size>;
+extern const std::array<GlossyLobe, glossy_lobe_roughnesses> glossy_lobe_table;
+
+}  // namespace lapidary::bsdf
