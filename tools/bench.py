@@ -62,9 +62,7 @@ def rows_of_scene(build, scene):
     with tempfile.TemporaryDirectory() as folder:
         stats = render(build, scene, pathlib.Path(folder))
     core_seconds = stats["render_cpu_seconds"]  # fair on a machine that does other things, too
-    width, height = stats["size"]
-    samples = stats["samples_per_pixel"] * width * height
-    yield f"{scene.group}.msamples_per_core", samples / core_seconds / 1e6, "M/s", scene.msamples
+    yield f"{scene.group}.msamples_per_core", stats["samples"] / core_seconds / 1e6, "M/s", scene.msamples
     yield f"{scene.group}.mrays_per_core", stats["rays"] / core_seconds / 1e6, "M/s", "-"
     yield f"{scene.group}.noise", stats["noise"], "rel", "-"
     yield f"{scene.group}.peak_rss", stats["peak_rss_bytes"] / 1e6, "MB", scene.peak_mb
@@ -80,7 +78,7 @@ def rows_of_lights(build):
 
         def picture(name, choice, samples, seed):
             options = ("--samples", str(samples), "--seed", str(seed),
-                       "--render", f"light_choice={choice}")
+                       "--render", f"light_choice={choice}", "--render", "sampling=uniform")
             stats = render(build, dataclasses.replace(scene, options=options), folder)
             (folder / "out.exr").rename(folder / name)
             return stats["render_cpu_seconds"]
@@ -114,12 +112,13 @@ def rows_of_caustics(build):
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
 
-            def picture(out, method, samples, seed):
-                options = ("--samples", str(samples), "--seed", str(seed),
-                           "--render", f"caustics={method}")
+            def picture(out, method, seconds, seed):
+                """On one thread; the processor time that it took."""
+                options = ("--time", str(seconds), "--samples", "1000000", "--seed", str(seed),
+                           "--threads", "1", "--render", f"caustics={method}")
                 stats = render(build, Scene(name, file, options, "-"), folder)
                 (folder / "out.exr").rename(folder / out)
-                return stats["cpu_seconds"] / samples
+                return stats["cpu_seconds"]
 
             def compared(a, b, *options):
                 text = subprocess.run([build / "lapidary", "compare", folder / a, folder / b,
@@ -131,23 +130,22 @@ def rows_of_caustics(build):
                 trim = ("--trim", "0.001")
                 return compared(a, b, *trim), compared(a, b, *trim, "--crop", region)
 
-            rate = picture("probe.exr", "auto", 16, 1)
-            many = round(4 * budgets[-1][0] / rate)
-            picture("reference.exr", "auto", many, 101)
-            picture("half.exr", "auto", many, 102)
+            long = 4 * budgets[-1][0]
+            picture("reference.exr", "auto", long, 101)
+            picture("half.exr", "auto", long, 102)
             whole, caustic = errors("half.exr", "reference.exr")
             yield f"caustics.{name}.reference.whole", 0.5 * whole, "rel", "-"
             yield f"caustics.{name}.reference.caustic", 0.5 * caustic, "rel", "-"
             for seconds, whole_target, caustic_target in budgets:
                 for method in ("auto", "photons", "paths"):
-                    rate = picture("probe.exr", method, 16, 1)
-                    picture("out2.exr", method, max(1, round(seconds / rate)), 1)
-                    whole, caustic = errors("out2.exr", "reference.exr")
+                    taken = picture("picture.exr", method, seconds, 1)
+                    whole, caustic = errors("picture.exr", "reference.exr")
                     key = f"caustics.{name}.{seconds}s.{method}"
+                    yield f"{key}.cpu", taken, "s", "-"
                     is_auto = method == "auto"
                     yield f"{key}.whole", whole, "rel", whole_target if is_auto else "-"
                     yield f"{key}.caustic", caustic, "rel", caustic_target if is_auto else "-"
-                    energy = compared("out2.exr", "reference.exr", "--metric", "energy", "--crop",
+                    energy = compared("picture.exr", "reference.exr", "--metric", "energy", "--crop",
                                       region)
                     yield f"{key}.energy", energy, "1", "-"
 
@@ -166,7 +164,7 @@ def rows_of_pictures(build):
         pictured = ("--set", f"pictures={folder}", "--allow", folder)
 
         def seconds(options):
-            options = (*options, "--threads", "1")
+            options = (*options, "--threads", "1", "--render", "sampling=uniform")
             return render(build, dataclasses.replace(scene, options=options),
                           folder)["render_cpu_seconds"]
 
