@@ -33,16 +33,11 @@ BoundaryPoint sample_boundary(const Sphere& sphere, Vec2d u, double) {
 }
 
 std::vector<UvChart> uv_charts(const Sphere&) {
-  UvChart chart;
-  chart.u = ChartEnd::seam;
-  chart.v_low = chart.v_high = ChartEnd::pole;
-  return {chart};
+  return {round_chart()};
 }
 
 std::optional<PatchPoint> point_at(const Sphere& sphere, const UvChart&, Vec2d uv) {
-  const double longitude = 2.0 * pi * uv.x, latitude = pi * (uv.y - 0.5);
-  const double across = std::cos(latitude);
-  const Vec3d n{across * std::cos(longitude), across * std::sin(longitude), std::sin(latitude)};
+  const Vec3d n = round_direction(uv);
   return PatchPoint{0, sphere.center + n * sphere.radius};
 }
 

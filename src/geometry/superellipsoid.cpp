@@ -107,16 +107,11 @@ double sampling_pdf_area(const Superellipsoid& solid, Patch, Vec3d p) {
 }
 
 std::vector<UvChart> uv_charts(const Superellipsoid&) {
-  UvChart chart;
-  chart.u = ChartEnd::seam;
-  chart.v_low = chart.v_high = ChartEnd::pole;
-  return {chart};
+  return {round_chart()};
 }
 
 std::optional<PatchPoint> point_at(const Superellipsoid& solid, const UvChart&, Vec2d uv) {
-  const double longitude = 2.0 * pi * uv.x, latitude = pi * (uv.y - 0.5);
-  const double across = std::cos(latitude);
-  const Vec3d d{across * std::cos(longitude), across * std::sin(longitude), std::sin(latitude)};
+  const Vec3d d = round_direction(uv);
   const double norm = norm_at(norm_exponents(solid), d).value;
   return PatchPoint{0, solid.center + product(d, solid.radii) / norm};
 }

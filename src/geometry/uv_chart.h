@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -39,6 +40,20 @@ inline UvChart planar_chart(Patch patch) {
   chart.first = chart.last = patch;
   chart.min = {-infinity, -infinity}, chart.max = {infinity, infinity};
   return chart;
+}
+
+/// One by longitude and latitude, around everything.
+inline UvChart round_chart() {
+  UvChart chart;
+  chart.u = ChartEnd::seam;
+  chart.v_low = chart.v_high = ChartEnd::pole;
+  return chart;
+}
+/// Unit length, at these coordinates of a round chart.
+inline Vec3d round_direction(Vec2d uv) {
+  const double longitude = 2.0 * pi * uv.x, latitude = pi * (uv.y - 0.5);
+  const double across = std::cos(latitude);
+  return {across * std::cos(longitude), across * std::sin(longitude), std::sin(latitude)};
 }
 
 /// A point of a boundary and the patch it is on.

@@ -10,9 +10,6 @@ namespace {
 
 using bsdf::Lobe;
 
-/// How many smooth dielectrics of a path split it.
-constexpr int most_splits = 2;
-
 }  // namespace
 
 /// A path from the camera, while it grows.
@@ -37,7 +34,6 @@ class IlluminationTracer::Path {
   bool take_specular(const Vertex& vertex, const std::optional<bsdf::BsdfSample>& sample);
   void take(const Vertex& vertex, const Scattered& way);
   bool survives_roulette(double u);
-  void note_first(FirstSurface& first) const;
 
   const IlluminationTracer& tracer_;
   const SampleContext& context_;
@@ -92,15 +88,6 @@ void IlluminationTracer::Path::add_map(SampledSpectrum weight, Vec3d direction) 
       dot(surface.geometric_normal, direction) > 0.0 ? SurfaceSide::front : SurfaceSide::back;
   const Rgb E = tracer_.maps_.irradiance(walk_.hit(), surface, side);
   L_ += beta_ * weight * context_.wavelengths.illuminant(E) * static_cast<float>(inv_pi);
-}
-
-void IlluminationTracer::Path::note_first(FirstSurface& first) const {
-  const geometry::Surface& surface = walk_.surface();
-  const bool from_behind = dot(surface.shading_normal, walk_.ray().direction) > 0.0;
-  first = {walk_.material().albedo.rgb_at(walk_.lookup()),
-           from_behind ? -surface.shading_normal : surface.shading_normal,
-           camera::depth(tracer_.scene_.camera(), surface.p, walk_.ray().time),
-           tracer_.scene_.object_index(walk_.hit()) + 1};
 }
 
 bool IlluminationTracer::Path::survives_roulette(double u) {
@@ -170,7 +157,7 @@ SampledSpectrum IlluminationTracer::Path::follow(FirstSurface& first) {
       add_infinite_lights();
       return L_;
     }
-    if (walk_.is_at_first_surface()) note_first(first);
+    if (walk_.is_at_first_surface()) first = first_surface(tracer_.scene_, walk_);
     add_light_met();
     const bool is_last = walk_.depth() > 0 && lobe_ == Lobe::diffuse;
     const Vertex vertex = walk_.vertex();

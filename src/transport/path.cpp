@@ -15,9 +15,6 @@ using bsdf::Carried;
 using bsdf::Lobe;
 using geometry::Ray;
 
-/// How many smooth dielectrics of a path split it.
-constexpr int most_splits = 2;
-
 /// A path from the camera, while it grows.
 class Path {
  public:
@@ -58,7 +55,6 @@ class Path {
   }
   void add_direct_light(const Vertex& vertex, const VertexPoints& points, bool is_narrow);
   void add_photons(const Vertex& vertex);
-  void note_first(FirstSurface& first) const;
 
   /// Follows one sampled way; false when the path ends.
   bool scatter(const Vertex& vertex, const VertexPoints& points, bool is_narrow);
@@ -145,15 +141,6 @@ void Path::add_photons(const Vertex& vertex) {
   }
 }
 
-void Path::note_first(FirstSurface& first) const {
-  const geometry::Surface& surface = walk_.surface();
-  const bool from_behind = dot(surface.shading_normal, walk_.ray().direction) > 0.0;
-  first = {walk_.material().albedo.rgb_at(walk_.lookup()),
-           from_behind ? -surface.shading_normal : surface.shading_normal,
-           camera::depth(fixed_.scene.camera(), surface.p, walk_.ray().time),
-           fixed_.scene.object_index(walk_.hit()) + 1};
-}
-
 bool Path::take(const Vertex& vertex, const Scattered& way, bool is_narrow) {
   const bsdf::BsdfSample& sample = way.sample;
   beta_ *= sample.weight;
@@ -233,7 +220,7 @@ SampledSpectrum Path::follow(FirstSurface& first) {
       add_infinite_lights();
       return L_;
     }
-    if (walk_.is_at_first_surface()) note_first(first);
+    if (walk_.is_at_first_surface()) first = first_surface(fixed_.scene, walk_);
     add_light_met();
     if (walk_.depth() == fixed_.settings.max_depth || only_light_counts) {
       if (!pass_straight()) return L_;

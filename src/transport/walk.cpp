@@ -101,6 +101,15 @@ void Walk::scatter(const Vertex& vertex, const bsdf::BsdfSample& sample, Vec3d d
   ++depth_;
 }
 
+FirstSurface first_surface(const scene::Scene& scene, const Walk& walk) {
+  const geometry::Surface& surface = walk.surface();
+  const bool from_behind = dot(surface.shading_normal, walk.ray().direction) > 0.0;
+  return {walk.material().albedo.rgb_at(walk.lookup()),
+          from_behind ? -surface.shading_normal : surface.shading_normal,
+          camera::depth(scene.camera(), surface.p, walk.ray().time),
+          scene.object_index(walk.hit()) + 1};
+}
+
 Scattered straight_way(const Vertex& vertex, Vec3d direction) {
   bsdf::BsdfSample straight{-vertex.wo, straight_through(vertex.bsdf, vertex.wo)};
   straight.lobe = bsdf::Lobe::specular;

@@ -79,6 +79,12 @@ class Walk {
   int vertices_ = 0;  ///< left so far: those that are scattering events, and straight ways
 };
 
+/// What the layers of a picture keep of the surface where a walk stands: its first.
+FirstSurface first_surface(const scene::Scene& scene, const Walk& walk);
+
+/// How many smooth dielectrics of a path from the camera split it.
+constexpr int most_splits = 2;
+
 /// A way that light takes from a vertex.
 struct Scattered {
   bsdf::BsdfSample sample;
