@@ -68,7 +68,8 @@ class SampleMap {
 ///
 /// All samples of a pixel weigh the same. That would be biased where a pixel's own samples decide
 /// how many follow - a bright one calls for others, which dilute it - so they do not: its
-/// neighbours' do, which are independent of it but for the photons and wavelengths of a pass.
+/// neighbours' do, which are independent of it but for the photons and wavelengths of a pass, and
+/// for the one scale that all counts share.
 ///
 /// Source: the allocation is Neyman's (1934), n in proportion to the standard deviation, here that
 /// relative to the pixel, as in Rousselle, Knaus & Zwicker 2011, "Adaptive Sampling and
