@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <utility>
 
 #include "bsdf/conductor.h"
 #include "bsdf/glossy_passage.h"
@@ -46,18 +45,13 @@ void print() {
     const double root = static_cast<double>(r) / (glossy_lobe_roughnesses - 1);
     const double alpha = std::max(root * root, 1e-4);
     std::printf("  {{  // alpha = %.5f\n", alpha);
-    for (std::size_t i = 0; i < size; ++i) {
-      const double mu = std::clamp(GlossyPassage::cosine(i, alpha), 1e-6, 1.0);
+    std::array<std::array<double, size>, size> from;
+    for (std::size_t i = 0; i < size; ++i)
+      from[i] = lobe(alpha, std::clamp(GlossyPassage::cosine(i, alpha), 1e-6, 1.0));
+    for (std::size_t k = 0; k < size; ++k) {
       std::printf("    {{");
-      const auto weights = lobe(alpha, mu);
-      // Rounded as sums, so that all of a lobe is 1.
-      double sum = 0.0;
-      long rounded = 0;
-      for (std::size_t k = 0; k < size; ++k) {
-        sum += weights[k];
-        const long before = std::exchange(rounded, std::lround(1e4 * sum));
-        std::printf("%ld%s", rounded - before, k + 1 < size ? ", " : "}},\n");
-      }
+      for (std::size_t i = 0; i < size; ++i)
+        std::printf("%.6ff%s", from[i][k], i + 1 < size ? ", " : "}},\n");
     }
     std::printf("  }},\n");
   }

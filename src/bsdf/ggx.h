@@ -16,13 +16,14 @@ namespace lapidary::bsdf {
 ///
 /// Facets of alpha_x and alpha_y are even ones stretched: slopes are a unit circle's times A =
 /// R diag(alpha_x, alpha_y) R^T, R turning x to the rougher direction. What is stored is A^2 =
-/// alpha^2 S with det S = 1, in which even facets are the identity and cost nothing more.
+/// alpha^2 S with det S = 1; of even facets it is the identity, and not asked for.
 struct Ggx {
-  double alpha = 1;                     ///< geometric mean of alpha_x and alpha_y
+  double alpha = 1;  ///< geometric mean of alpha_x and alpha_y
+  bool is_even = true;
   double s_xx = 1, s_xy = 0, s_yy = 1;  ///< S
 
-  explicit Ggx(const Grain& grain) : alpha(grain.mean_alpha()) {
-    if (grain.is_even()) return;
+  explicit Ggx(const Grain& grain) : alpha(grain.mean_alpha()), is_even(grain.is_even()) {
+    if (is_even) return;
     const double q = grain.ratio(), c = std::cos(grain.rotation), s = std::sin(grain.rotation);
     s_xx = c * c / q + s * s * q;
     s_xy = c * s * (1.0 / q - q);
@@ -34,14 +35,16 @@ struct Ggx {
     // alpha^2 cos^2 + sin^2 without the cancellation of 1 - cos^2, which a narrow peak would show;
     // stretched, sin^2 is what S^-1 makes of it.
     const double alpha2 = alpha * alpha;
-    const double across = s_yy * (h.x * h.x) + s_xx * (h.y * h.y) - 2.0 * s_xy * (h.x * h.y);
+    const double across = is_even ? h.x * h.x + h.y * h.y
+                                  : s_yy * h.x * h.x + s_xx * h.y * h.y - 2.0 * s_xy * h.x * h.y;
     const double width = alpha2 * h.z * h.z + across;
     return alpha2 * inv_pi / (width * width);
   }
 
   /// sin^2 theta times the square of alpha in the plane of v and the normal.
   double stretched_sin2(Vec3d v) const {
-    const double along = s_xx * (v.x * v.x) + s_yy * (v.y * v.y) + 2.0 * s_xy * (v.x * v.y);
+    const double along = is_even ? v.x * v.x + v.y * v.y
+                                 : s_xx * v.x * v.x + s_yy * v.y * v.y + 2.0 * s_xy * v.x * v.y;
     return alpha * alpha * along;
   }
 
@@ -82,6 +85,7 @@ struct Ggx {
  private:
   /// A v, with the root of S as that of any matrix of determinant 1: (S + 1) / sqrt(tr S + 2).
   Vec3d stretch(Vec3d v) const {
+    if (is_even) return {alpha * v.x, alpha * v.y, v.z};
     const double scale = alpha / std::sqrt(s_xx + s_yy + 2.0);
     return {scale * ((s_xx + 1.0) * v.x + s_xy * v.y), scale * (s_xy * v.x + (s_yy + 1.0) * v.y),
             v.z};

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 #include "bsdf/table_lookup.h"
 
@@ -21,15 +20,17 @@ namespace lapidary::bsdf {
 /// Scaling".
 class GlossyPassage {
  public:
-  static constexpr std::size_t size = 12;
+  static constexpr std::size_t size = 8;
 
   /// `alpha` in (0, 1] of the facets; `let_through` is T by the cosine, in (0, 1] above 0.
   template <typename LetThrough>
   GlossyPassage(double alpha, LetThrough let_through) : alpha_(alpha) {
-    std::array<double, size> t, seen;
+    Values t, seen;
     for (std::size_t i = 0; i < size; ++i) {
-      t[i] = let_through(cosine(i, alpha_));
-      seen[i] = let_through(further_up(cosine(i, alpha_)));
+      // The first stands for directions up to the next one, of which a third is the mean.
+      const double mu = i > 0 ? cosine(i, alpha_) : cosine(1, alpha_) / 3.0;
+      t[i] = static_cast<float>(let_through(mu));
+      seen[i] = static_cast<float>(let_through(further_up(mu)));
     }
     solve(t, seen);
   }
@@ -51,21 +52,22 @@ class GlossyPassage {
   }
 
  private:
+  using Values = std::array<float, size>;
   double further_up(double mu) const {
     const double alpha2 = alpha_ * alpha_;
     return std::sqrt((mu * mu + alpha2) / (1.0 + alpha2));
   }
-  void solve(const std::array<double, size>& t, const std::array<double, size>& seen);
+  void solve(const Values& t, const Values& seen);
 
   double alpha_;
-  std::array<float, size> factor_;
+  Values factor_;
 };
 
-/// Where light from the cosine of a row leaves, as weights of the cosines of its columns: of white
+/// Where light from the cosine of a column leaves, as weights of the cosines of the rows: of white
 /// metal, all bounces between its facets included. By `roughness_coordinate`, evenly from 0 to 1.
-/// Unit: 1e-4. Made by tools/glossy_lobe.cpp.
+/// Made by tools/glossy_lobe.cpp.
 inline constexpr std::size_t glossy_lobe_roughnesses = 16;
-using GlossyLobe = std::array<std::array<std::uint16_t, GlossyPassage::size>, GlossyPassage::size>;
+using GlossyLobe = std::array<std::array<float, GlossyPassage::size>, GlossyPassage::size>;
 extern const std::array<GlossyLobe, glossy_lobe_roughnesses> glossy_lobe_table;
 
 }  // namespace lapidary::bsdf

@@ -28,13 +28,15 @@ inline constexpr double grain_unit = 1e-4;
 /// for even facets of that roughness.
 class GrainCoordinates {
  public:
-  explicit GrainCoordinates(const Grain& grain)
-      : alpha_(grain.alpha),
-        roughness_(roughness_coordinate(grain.alpha)),
-        anisotropy_(anisotropy_coordinate(grain.anisotropy)),
-        narrow2_(grain.narrow() * grain.narrow()),
-        range2_(grain.wide() * grain.wide() - narrow2_),
-        is_even_(grain.is_even()) {}
+  /// Of even facets, which are common, nothing but that they are.
+  explicit GrainCoordinates(const Grain& grain) : is_even_(grain.is_even()) {
+    if (is_even_) return;
+    alpha_ = grain.alpha;
+    roughness_ = roughness_coordinate(grain.alpha);
+    anisotropy_ = anisotropy_coordinate(grain.anisotropy);
+    narrow2_ = grain.narrow() * grain.narrow();
+    range2_ = grain.wide() * grain.wide() - narrow2_;
+  }
 
   bool is_even() const { return is_even_; }
   std::array<double, 2> of_facets() const { return {roughness_, anisotropy_}; }
@@ -52,8 +54,8 @@ class GrainCoordinates {
   }
 
  private:
-  double alpha_, roughness_, anisotropy_;
-  double narrow2_, range2_;  ///< squares of alpha: the least, and by how much the most is more
+  double alpha_ = 0, roughness_ = 0, anisotropy_ = 0;
+  double narrow2_ = 0, range2_ = 0;  ///< squares of alpha: the least, and what the most has more
   bool is_even_;
 };
 

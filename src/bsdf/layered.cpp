@@ -13,13 +13,23 @@ decltype(auto) of(const Layered::Layer& layer, Function function) {
   return std::visit(function, layer);
 }
 
+/// What a layer leaves of light from that cosine, at the mean azimuth of its grain if it has one;
+/// never nothing.
+template <typename Layer>
+double let_through(const Layer& layer, double mu) {
+  const double aside = std::sqrt(0.5 * std::max(0.0, 1.0 - mu * mu));
+  return std::max(1.0 - layer.albedo({aside, aside, mu}), 1e-6);
+}
+
 }  // namespace
 
 Layered::Layered(const Layer& layer, NestedPtr base)
     : layer_(layer), base_(std::move(base)), base_traits_(traits_of(base_->bsdf)) {
   const auto* metal = std::get_if<Conductor>(&base_->bsdf);
   if (metal == nullptr) return;
-  glossy_.emplace(metal->grain_alpha(), [this](double mu) { return let_through(mu); });
+  of(layer_, [&](const auto& kind) {
+    glossy_.emplace(metal->grain_alpha(), [&](double mu) { return let_through(kind, mu); });
+  });
 }
 
 double Layered::albedo(Vec3d v) const {
@@ -27,22 +37,18 @@ double Layered::albedo(Vec3d v) const {
   return of(layer_, [v](const auto& layer) { return layer.albedo(v); });
 }
 
-double Layered::let_through(double mu) const {
-  const double aside = std::sqrt(0.5 * std::max(0.0, 1.0 - mu * mu));
-  return std::max(1.0 - albedo({aside, aside, mu}), 1e-6);
-}
-
-double Layered::white_passage(Vec3d wo, Vec3d wi, double spread) const {
-  const double to = 1.0 - albedo(wo), ti = 1.0 - albedo(wi);
+double Layered::white_passage(Vec3d wo, Vec3d wi, const Through& through) const {
+  const double both = through.to * through.ti;
   if (glossy_) {
-    const auto share = [this](double z) {
-      return glossy_->share(std::min(z, 1.0), [this](double mu) { return let_through(mu); });
-    };
-    return to * share(wo.z) * ti * share(wi.z);
+    return of(layer_, [&](const auto& layer) {
+      const auto through_layer = [&](double mu) { return let_through(layer, mu); };
+      return both * glossy_->share(std::min(wo.z, 1.0), through_layer) *
+             glossy_->share(std::min(wi.z, 1.0), through_layer);
+    });
   }
   const double average = of(layer_, [](const auto& layer) { return layer.average_albedo(); });
-  const double kept = std::lerp(std::max(to, ti), 1.0 - average, spread);
-  return kept > 0.0 ? to * ti / kept : 0.0;
+  const double kept = std::lerp(std::max(through.to, through.ti), 1.0 - average, through.spread);
+  return kept > 0.0 ? both / kept : 0.0;
 }
 
 // Of light that the base gives back, the share r comes down again: the bounces sum to
@@ -50,13 +56,14 @@ double Layered::white_passage(Vec3d wo, Vec3d wi, double spread) const {
 SampledSpectrum Layered::passage(Vec3d wo, Vec3d wi) const {
   return of(layer_, [&](const auto& layer) {
     const double spread = spread_below(wi.z < wo.z ? wi : wo);
-    const double clearer = 1.0 - std::min(albedo(wo), albedo(wi));
-    SampledSpectrum left(static_cast<float>(white_passage(wo, wi, spread)));
+    const Through through{1.0 - albedo(wo), 1.0 - albedo(wi), spread};
+    SampledSpectrum left(static_cast<float>(white_passage(wo, wi, through)));
     if (wo.z > 0.0) left *= layer.one_way(std::min(wo.z, 1.0));
     if (wi.z > 0.0) left *= layer.one_way(std::min(wi.z, 1.0));
     if (base_traits_.transparent) return left;
     const double back =
-        std::lerp(layer.return_when_mirrored(1.0 - clearer), layer.return_when_diffuse(), spread);
+        std::lerp(layer.return_when_mirrored(1.0 - std::max(through.to, through.ti)),
+                  layer.return_when_diffuse(), spread);
     // Parallel to the surface all of it, over which a white base has no limit in floats.
     const auto r = static_cast<float>(std::min(back, 0.9999));
     const SampledSpectrum one(1.0f), once = layer.one_way(1.0);

@@ -42,15 +42,16 @@ class Layered {
  private:
   /// The layer's albedo towards a direction: none from inside.
   double albedo(Vec3d v) const;
-  /// What it leaves of light from that cosine, at the mean azimuth of its grain if it has one;
-  /// above 0 never nothing.
-  double let_through(double mu) const;
   /// How the base spreads light towards `v`.
   double spread_below(Vec3d v) const;
-  /// The same as far as a white base is concerned.
-  double white_passage(Vec3d wo, Vec3d wi, double spread) const;
   /// What is left of light of the base between the two directions.
   SampledSpectrum passage(Vec3d wo, Vec3d wi) const;
+  /// What the layer leaves of the two directions, and how the base spreads light between them.
+  struct Through {
+    double to, ti, spread;
+  };
+  /// `passage` as far as a white base is concerned.
+  double white_passage(Vec3d wo, Vec3d wi, const Through& through) const;
   /// How often `sample` looks at the layer.
   double chance_of_layer(Vec3d wo) const;
 

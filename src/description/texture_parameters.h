@@ -36,7 +36,28 @@ schema::Declaration<T>& declare_mapping(schema::Declaration<T>& declaration) {
                   "z, around the z axis, around the origin, or onto the sides of a box."})
       .parameter("blend", [](T & t) -> auto& { return t.mapping.blend; },
                  {.doc = "With mapping \"box\": how soon one side shows beside another.",
-                  .range = schema::unit_interval});
+                  .range = schema::unit_interval})
+      .parameter(
+          "repeats", [](T & t) -> auto& { return t.mapping.repeats; },
+          {.doc = "With any mapping but \"object\": how often it comes in a unit of u and of "
+                  "v. Around an axis or a point whole numbers have no seam."})
+      .parameter("shift", [](T & t) -> auto& { return t.mapping.shift; },
+                 {.doc = "With any mapping but \"object\": where in (u, v) its origin lies."});
+}
+
+/// Fails for what a mapping has no use for.
+inline void check_mapping(const texture::Mapping& mapping, const schema::Context& context) {
+  const Vec2d times = mapping.repeats;
+  if (times.x == 0.0 || times.y == 0.0) context.at("repeats").fail("must not be zero");
+  if (mapping.projection != texture::Projection::object) return;
+  for (const auto& [name, is_given] :
+       {std::pair("repeats", times.x != 1.0 || times.y != 1.0),
+        std::pair("shift", mapping.shift.x != 0.0 || mapping.shift.y != 0.0)}) {
+    if (is_given) {
+      context.at(name).fail("needs a mapping that lays the pattern flat",
+                            "in space, 'scale' and 'translate' a texture: texture:scale(0.5)");
+    }
+  }
 }
 
 /// Adds T::colors of a pattern that usually has those that `usually` says.
@@ -65,6 +86,7 @@ void check_extent(const texture::Texture& texture, const Location& where);
 /// A finished texture as a node; `bytes` is what it holds besides itself.
 template <typename Kind>
 schema::Node texture_node(Kind kind, const schema::Context& context, std::size_t bytes = 0) {
+  if constexpr (requires { kind.mapping; }) check_mapping(kind.mapping, context);
   auto texture = std::make_shared<const texture::Texture>(std::move(kind));
   check_extent(*texture, context.call().where.location());
   return schema::Node::of<texture::Texture>(context.call().node, std::move(texture),

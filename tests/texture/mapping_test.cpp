@@ -54,6 +54,43 @@ TEST(Mapping, ABoxIsReadUprightFromOutside) {
   EXPECT_EQ(u_direction(2, {0, 0, -1}), (Vec3d{-1, 0, 0}));
 }
 
+// A pattern's coordinates, and what a footprint covers of them, as differences of nearby places
+// say.
+TEST(Mapping, RepeatsAndShiftsWhatIsFlat) {
+  Random random(21);
+  for (const Projection projection : projections) {
+    const Mapping plain{projection};
+    const Mapping tiles{.projection = projection, .repeats = {6, -2.5}, .shift = {0.3, 0.1}};
+    for (int i = 0; i < 50; ++i) {
+      Lookup lookup{.p = random.direction() * 2.0, .uv = {random.uniform(), random.uniform()}};
+      lookup.dpdx = random.direction() * 1e-3;
+      lookup.duvdx = {1e-3, 2e-3};
+      const auto place = [](const Mapping& mapping, const Lookup& at) {
+        Place found;
+        mapped(mapping, at, [&](const Place& p) { return found = p, 0.0f; });
+        return found;
+      };
+      const Place before = place(plain, lookup), after = place(tiles, lookup);
+      if (projection == Projection::object) {
+        EXPECT_EQ(after.p, before.p);
+        continue;
+      }
+      expect_near(after.p, {6 * (before.p.x - 0.3), -2.5 * (before.p.y - 0.1), 0}, 1e-12);
+      expect_near(after.dx, {6 * before.dx.x, -2.5 * before.dx.y, 0}, 1e-12);
+    }
+  }
+  // All around a ball, six times as often: from one copy to the next is a sixth of a turn.
+  const Mapping six{.projection = Projection::spherical, .repeats = {6, 1}};
+  const auto u = [&](double turns) {
+    const double phi = 2.0 * pi * turns;
+    double found = 0.0;
+    mapped(six, {.p = {std::cos(phi), std::sin(phi), 0.2}},
+           [&](const Place& p) { return found = p.p.x, 0.0f; });
+    return found;
+  };
+  EXPECT_NEAR(u(0.2 + 1.0 / 6.0) - u(0.2), 1.0, 1e-12);
+}
+
 TEST(Mapping, SidesOfABoxBlend) {
   using Weights = std::array<float, 3>;
   EXPECT_EQ(box_weights({0, -1, 0}, 0.2), (Weights{0, 1, 0}));
