@@ -16,6 +16,7 @@ using description::FilterKind;
 using description::IlluminationFilter;
 using description::Integrator;
 using description::LightChoice;
+using description::PhotonAim;
 using description::PictureSize;
 using description::Sampling;
 using description::ToneCurve;
@@ -44,6 +45,12 @@ template <>
 struct EnumNames<LightChoice> {
   static constexpr std::array<std::pair<std::string_view, LightChoice>, 2> names{
       {{"tree", LightChoice::tree}, {"power", LightChoice::power}}};
+};
+
+template <>
+struct EnumNames<PhotonAim> {
+  static constexpr std::array<std::pair<std::string_view, PhotonAim>, 2> names{
+      {{"learned", PhotonAim::learned}, {"none", PhotonAim::none}}};
 };
 
 template <>
@@ -147,6 +154,15 @@ Declaration<RenderSettings> declare_render() {
                  {.doc = "Who renders light focused by glass and mirrors: \"photons\", \"paths\" "
                          "from the camera by chance, \"auto\" each where it is better; "
                          "\"off\" leaves it out."})
+      .parameter("photon_radius", [](R& r) -> double& { return r.photons.radius; },
+                 {.doc = "How far around a point photons of caustics count in the first pass; ever "
+                         "less in later ones. For studies: what converges fastest is the default.",
+                  .unit = Unit::pixels,
+                  .range = {.min = 0.01, .max = 1000}})
+      .parameter(
+          "photon_aim", [](R& r) -> PhotonAim& { return r.photons.aim; },
+          {.doc = "\"learned\" sends photons of caustics where they are worth most; \"none\" "
+                  "wherever lights shine, to compare."})
       .parameter(
           "sampling", &R::sampling,
           {.doc = "\"adaptive\": pixels that are noisy after 8 samples get up to 16 times as "

@@ -31,6 +31,18 @@ enum class LightChoice {
 /// Who renders light focused by glass and mirrors.
 enum class Caustics { automatic, photons, paths, off };
 
+/// Where the photons of caustics go.
+enum class PhotonAim {
+  learned,  ///< where they were worth most to the picture in a first phase
+  none,     ///< wherever lights shine
+};
+
+/// How caustics are rendered by photons: to study that, not to get a better picture.
+struct PhotonSettings {
+  double radius = 2.5;  ///< of a gather in the first pass, pixels; smaller in every later one
+  PhotonAim aim = PhotonAim::learned;
+};
+
 /// Where camera samples go.
 enum class Sampling {
   adaptive,  ///< more where the picture is noisy
@@ -65,6 +77,7 @@ struct RenderSettings {
   Integrator integrator = Integrator::path;
   int max_depth = 16;  ///< scattering events of a path
   Caustics caustics = Caustics::automatic;
+  PhotonSettings photons;
   Sampling sampling = Sampling::adaptive;
   LightChoice light_choice = LightChoice::tree;
   IlluminationSettings illumination;

@@ -27,12 +27,13 @@ BlockRenderer::BlockRenderer(const scene::Scene& scene, const SampleSettings& se
     : scene_(scene),
       settings_(settings),
       tracer_(scene, settings.path),
-      caustics_(scene,
-                {settings.path.interreflection == transport::Interreflection::full
-                     ? settings.path.caustics
-                     : transport::CausticMethod::paths,
-                 settings.path.max_depth, settings.seed, picture.width, picture.height},
-                pool),
+      caustics_(
+          scene,
+          {settings.path.interreflection == transport::Interreflection::full
+               ? settings.path.caustics
+               : transport::CausticMethod::paths,
+           settings.path.max_depth, settings.seed, picture.width, picture.height, settings.photons},
+          pool),
       cone_(camera::pixel_cone(scene.camera(), {static_cast<double>(picture.width),
                                                 static_cast<double>(picture.height)})),
       tile_(picture.tile) {
@@ -75,7 +76,7 @@ void BlockRenderer::render_pixel(int x, int y, std::span<const Pass> passes, con
   film.add_block(x, y, sums);
 }
 
-std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, double photons,
+std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, const SampleMap& map,
                                                         ThreadPool& pool, BlockTally& tally) const {
   const double rotation = pass_sample(settings_.seed, 0, wavelength_dimension);
   std::vector<Pass> passes;
@@ -83,7 +84,8 @@ std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, double 
     const auto wavelengths = Wavelengths::sample(Wavelengths::pass_stratum(p, rotation));
     passes.push_back({p, wavelengths, cone_, std::nullopt});
     if (caustics_.state() == transport::Caustics::State::active) {
-      passes.back().caustics = caustics_.trace(p, photons, wavelengths, pool, tally.counters);
+      passes.back().caustics = caustics_.trace({p, map.photons(), map.photons_before(p)},
+                                               wavelengths, pool, tally.counters);
     }
   }
   return passes;
@@ -92,7 +94,7 @@ std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, double 
 BlockTally BlockRenderer::render(PassRange range, const SampleMap& map, film::Film& film,
                                  ThreadPool& pool) const {
   BlockTally total;
-  const std::vector<Pass> passes = prepare(range, map.photons(), pool, total);
+  const std::vector<Pass> passes = prepare(range, map, pool, total);
   const int columns = (film.width() + tile_ - 1) / tile_;
   const int rows = (film.height() + tile_ - 1) / tile_;
   std::mutex mutex;

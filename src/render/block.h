@@ -39,6 +39,8 @@ struct SampleSettings {
   FilterSampler filter;
   std::uint64_t seed = 0;
   Sampling sampling = Sampling::adaptive;
+  /// How photons make caustics.
+  transport::PhotonSettings photons = {};
   /// How illumination maps are made, where paths end in these.
   std::optional<transport::IlluminationMaps::Settings> illumination = std::nullopt;
 };
@@ -88,7 +90,7 @@ class BlockRenderer {
 
  private:
   struct Pass;
-  std::vector<Pass> prepare(PassRange range, double photons, ThreadPool& pool,
+  std::vector<Pass> prepare(PassRange range, const SampleMap& map, ThreadPool& pool,
                             BlockTally& tally) const;
   void render_pixel(int x, int y, std::span<const Pass> passes, const SampleMap& map,
                     film::Film& film, BlockTally& tally) const;

@@ -153,8 +153,10 @@ SampleSettings sample_settings(const description::RenderSettings& settings) {
       {settings.max_depth, interreflection(settings.integrator), caustic_method(settings.caustics)},
       filter_sampler(settings.filter),
       settings.seed,
-      settings.sampling == description::Sampling::adaptive ? Sampling::adaptive
-                                                           : Sampling::uniform};
+      settings.sampling == description::Sampling::adaptive ? Sampling::adaptive : Sampling::uniform,
+      {settings.photons.radius, settings.photons.aim == description::PhotonAim::none
+                                    ? transport::Aim::nowhere
+                                    : transport::Aim::casters}};
   if (settings.integrator == description::Integrator::illumination) {
     sampling.illumination = illumination_settings(settings);
   }

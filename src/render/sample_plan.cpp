@@ -72,7 +72,7 @@ SampleMap::Samples SampleMap::at(int x, int y, std::uint32_t pass) const {
   const std::size_t pixel =
       static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   const std::uint32_t count = counts_[pixel];
-  return {before_[pixel] + (pass - first_pass_) * count, count};
+  return {before_.samples[pixel] + (pass - before_.passes) * count, count};
 }
 
 double SampleMap::mean() const {
@@ -154,13 +154,13 @@ SamplePlan::SamplePlan(const PhotonShare& photons, const film::Film& film) : pho
 }
 
 void SamplePlan::begin_epoch(const film::Film& film) {
-  std::vector<std::uint32_t> before;
-  before.reserve(next_.counts.size());
+  const auto passes = static_cast<std::uint32_t>(film.passes());
+  SampleMap::Before before{{}, map_.photons_before(passes), passes};
+  before.samples.reserve(next_.counts.size());
   for (int y = 0; y < film.height(); ++y) {
-    for (int x = 0; x < film.width(); ++x) before.push_back(film.samples(x, y));
+    for (int x = 0; x < film.width(); ++x) before.samples.push_back(film.samples(x, y));
   }
-  map_ = SampleMap(film.width(), std::move(next_), std::move(before),
-                   static_cast<std::uint32_t>(film.passes()));
+  map_ = SampleMap(film.width(), std::move(next_), std::move(before));
 }
 
 void SamplePlan::block_done(const film::Film& film) {

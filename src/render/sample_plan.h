@@ -28,15 +28,17 @@ class SampleMap {
  public:
   /// One everywhere.
   SampleMap() = default;
-  /// `before`: samples that a pixel took in earlier epochs. The epoch begins with pass
-  /// `first_pass`.
-  SampleMap(int width, Allocation allocation, std::vector<std::uint32_t> before,
-            std::uint32_t first_pass)
+  /// What earlier epochs took.
+  struct Before {
+    std::vector<std::uint32_t> samples;  ///< of each pixel
+    double photons = 0;                  ///< over those of a pass where all pixels take one sample
+    std::uint32_t passes = 0;
+  };
+  SampleMap(int width, Allocation allocation, Before before)
       : width_(width),
         counts_(std::move(allocation.counts)),
         photons_(allocation.photons),
-        before_(std::move(before)),
-        first_pass_(first_pass) {}
+        before_(std::move(before)) {}
 
   /// Samples [first, first + count) of a pixel's own sequence.
   struct Samples {
@@ -47,6 +49,10 @@ class SampleMap {
 
   /// Photons of a pass, over those where all pixels take one sample.
   double photons() const { return photons_; }
+  /// Those of all passes before this one of the epoch.
+  double photons_before(std::uint32_t pass) const {
+    return before_.photons + photons_ * (pass - before_.passes);
+  }
 
   bool is_uniform() const { return counts_.empty(); }
   /// Mean over the picture.
@@ -56,8 +62,7 @@ class SampleMap {
   int width_ = 0;
   std::vector<std::uint8_t> counts_;
   double photons_ = 1;
-  std::vector<std::uint32_t> before_;
-  std::uint32_t first_pass_ = 0;
+  Before before_;
 };
 
 /// Adaptive sampling: where a picture is noisy, a pass takes more samples.

@@ -8,8 +8,6 @@
 namespace lapidary::transport {
 namespace {
 
-/// In diameters of the camera's cone, which is a pixel's: the radius of the first pass.
-constexpr double first_radius = 2.5;
 /// Photons of a pass for each pixel: bounds of what is best.
 constexpr double fewest_per_pixel = 0.125;
 constexpr double most_per_pixel = 2.0;
@@ -28,7 +26,7 @@ constexpr std::uint32_t probing_pass = 0xffffff00u;
 /// Side, in pixels, of the small picture that a first phase looks at, and the samples of each.
 constexpr std::size_t small_side = 64;
 constexpr std::uint32_t small_samples = 4;
-/// As `first_radius`, in its pixels.
+/// As PhotonSettings::first_radius, in its pixels.
 constexpr double small_radius = 1.5;
 /// Of the mean radiance of a picture, the error that nobody minds where it is dark.
 constexpr double tolerated_share = 0.1;
@@ -101,16 +99,16 @@ struct Caustics::SmallPicture {
   }
 };
 
-double radius_shrinkage(std::uint32_t pass) {
+double radius_shrinkage(std::uint32_t passes) {
   double squared = 1.0;
-  for (std::uint32_t k = 1; k <= pass; ++k) squared *= (k + 2.0 / 3.0) / (k + 1.0);
+  for (std::uint32_t k = 1; k <= passes; ++k) squared *= (k + 2.0 / 3.0) / (k + 1.0);
   return std::sqrt(squared);
 }
 
 Caustics::Caustics(const scene::Scene& scene, const Settings& settings, ThreadPool& pool)
     : scene_(scene),
       settings_(settings),
-      emitter_(scene),
+      emitter_(scene, settings.photons.aim),
       tracer_(scene, emitter_, settings.max_depth) {
   state_ = prepare(pool);
 }
@@ -119,7 +117,7 @@ Caustics::State Caustics::prepare(ThreadPool& pool) {
   if (settings_.method != CausticMethod::automatic && settings_.method != CausticMethod::photons) {
     return State::not_wanted;
   }
-  if (emitter_.targets().empty()) return State::no_caster;
+  if (scene_.casters().empty()) return State::no_caster;
   if (!emitter_.is_useful()) return State::no_light;
   if (!measure_widths(pool)) return State::not_seen;
   return learn(pool) ? State::active : State::nothing_arrives;
@@ -226,7 +224,8 @@ Caustics::Judgement Caustics::judge(Yield yield, std::uint32_t count, ThreadPool
     of_photons.push_back(photons);
   }
   judgement.variance_of_paths = trimmed_mean(of_paths);
-  constexpr double widths = small_radius * small_radius / (first_radius * first_radius);
+  const double first_radius = settings_.photons.first_radius;
+  const double widths = small_radius * small_radius / (first_radius * first_radius);
   judgement.variance_of_photons =
       trimmed_mean(of_photons) * widths * count / static_cast<double>(picture.pixels.size());
   judgement.cost_of_paths = picture.cost;
@@ -244,11 +243,13 @@ bool Caustics::learn(ThreadPool& pool) {
   for (int tries = 0; tries < 3; ++tries, count *= 4) {
     const Yield yield = emit(pass++, count, wavelengths, pool);
     if (yield.useful.empty()) continue;
-    // First where there is anything to be had at all, and then what it is worth.
-    std::vector<PhotonEmitter::Lesson> any;
-    for (const Useful& useful : yield.useful) any.push_back({useful.origin, 1.0});
-    emitter_.learn(any, count);
-    emitter_.learn(judge(emit(pass++, count, wavelengths, pool), count, pool).lessons, count);
+    if (settings_.photons.aim != Aim::nowhere) {
+      // First where there is anything to be had at all, and then what it is worth.
+      std::vector<PhotonEmitter::Lesson> any;
+      for (const Useful& useful : yield.useful) any.push_back({useful.origin, 1.0});
+      emitter_.learn(any, count);
+      emitter_.learn(judge(emit(pass++, count, wavelengths, pool), count, pool).lessons, count);
+    }
     // What it has learned decides how many photons are emitted.
     choose_number(judge(emit(pass++, count, wavelengths, pool), count, pool));
     return true;
@@ -310,13 +311,14 @@ CausticPass Caustics::pass_of(Yield yield, std::uint32_t count, double radius_pe
           static_cast<double>(count), radius_per_width};
 }
 
-CausticPass Caustics::trace(std::uint32_t pass, double factor, const Wavelengths& wavelengths,
-                            ThreadPool& pool, Counters& counters) const {
+CausticPass Caustics::trace(const Pass& pass, const Wavelengths& wavelengths, ThreadPool& pool,
+                            Counters& counters) const {
   const auto count =
-      static_cast<std::uint32_t>(std::min(factor * photons_per_pass_, most_per_pass_));
-  Yield yield = emit(pass, count, wavelengths, pool);
+      static_cast<std::uint32_t>(std::min(pass.photons * photons_per_pass_, most_per_pass_));
+  Yield yield = emit(pass.index, count, wavelengths, pool);
   counters += yield.counters;
-  return pass_of(std::move(yield), count, first_radius * radius_shrinkage(pass));
+  const double shrinkage = radius_shrinkage(static_cast<std::uint32_t>(pass.photons_before));
+  return pass_of(std::move(yield), count, settings_.photons.first_radius * shrinkage);
 }
 
 }  // namespace lapidary::transport

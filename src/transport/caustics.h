@@ -8,6 +8,12 @@
 
 namespace lapidary::transport {
 
+/// How photons make caustics, where that should be studied; the defaults converge fastest.
+struct PhotonSettings {
+  double first_radius = 2.5;  ///< of the first pass, in diameters of the camera's cone: pixels
+  Aim aim = Aim::casters;
+};
+
 /// Caustics by photons: what of a render does not change from pass to pass, found out in a fixed
 /// first phase, and the photons of each pass. Passes are independent of one another.
 ///
@@ -20,6 +26,7 @@ class Caustics {
     int max_depth = 16;
     std::uint64_t seed = 0;
     int width = 1, height = 1;  ///< of the picture
+    PhotonSettings photons = {};
   };
 
   /// The scene must outlive this. Time: that of a few ten thousand paths.
@@ -36,10 +43,17 @@ class Caustics {
   };
   State state() const { return state_; }
 
-  /// The photons of one pass, with its wavelengths: `factor` times as many as fit to one camera
-  /// sample in every pixel. Must be active. The same bits for any number of threads.
-  CausticPass trace(std::uint32_t pass, double factor, const Wavelengths& wavelengths,
-                    ThreadPool& pool, Counters& counters) const;
+  /// One of the passes of a render. Photons are counted in those that fit to one camera sample in
+  /// every pixel.
+  struct Pass {
+    std::uint32_t index = 0;
+    double photons = 1;
+    double photons_before = 0;  ///< of all passes before it: the more, the smaller the radius
+  };
+  /// The photons of one pass, with its wavelengths. Must be active. The same bits for any number of
+  /// threads.
+  CausticPass trace(const Pass& pass, const Wavelengths& wavelengths, ThreadPool& pool,
+                    Counters& counters) const;
   /// What the photons of a pass are beside one camera sample in every pixel.
   struct Share {
     double cost = 0;   ///< rays over those of the samples
@@ -89,8 +103,8 @@ class Caustics {
   Share share_;
 };
 
-/// Radius of a gather in pass `pass`, from 0, over that in the first: squares shrink by
+/// Radius of a gather after `passes` full passes, over that in the first: squares shrink by
 /// (k + 2/3) / (k + 1) from the k-th pass to the next.
-double radius_shrinkage(std::uint32_t pass);
+double radius_shrinkage(std::uint32_t passes);
 
 }  // namespace lapidary::transport

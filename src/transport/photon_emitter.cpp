@@ -130,8 +130,8 @@ PhotonEmitter::PhotonEmitter(const scene::Scene& scene, Aim aim) : scene_(scene)
   around_ = box.empty() ? Ball{{}, 1.0} : ball_around(box);
   const geometry::SolidScene& solids = scene.world().solids();
   const bool is_bounded = solids.world().unbounded().empty() && solids.regions_at_rest().empty();
-  if (aim == Aim::everywhere && !is_bounded) around_.radius *= 2.0;
-  targets_ = gather_targets(scene.casters(), box, most_targets);
+  if (aim != Aim::casters && !is_bounded) around_.radius *= 2.0;
+  if (aim != Aim::nowhere) targets_ = gather_targets(scene.casters(), box, most_targets);
   if (targets_.empty() && aim == Aim::casters) return;
   all_bounded_ = std::all_of(scene.casters().begin(), scene.casters().end(),
                              [](const scene::Caster& caster) { return caster.box.bounded(); });
@@ -234,8 +234,7 @@ void PhotonEmitter::add_proposals(std::uint32_t index, std::vector<double>& weig
     lobe = {influence.front, std::min(2.0, 1.0 - influence.normal_cosine + 1e-9)};
   }
   proposals_.push_back({index, no_target, lobe});
-  weights.push_back(aim_ == Aim::everywhere ? whole
-                                            : aimed * unaimed_share / (1.0 - unaimed_share));
+  weights.push_back(aim_ == Aim::casters ? aimed * unaimed_share / (1.0 - unaimed_share) : whole);
 }
 
 std::span<const PhotonEmitter::Proposal> PhotonEmitter::proposals_of(std::uint32_t light) const {
@@ -268,7 +267,7 @@ double PhotonEmitter::density_of_places(std::uint32_t light, Vec3d p, Vec3d dire
 
 // By whichever proposal: the density is that of all of them.
 bool PhotonEmitter::may_meet(Vec3d origin, Vec3d direction) const {
-  if (aim_ == Aim::everywhere || !all_bounded_) return true;
+  if (aim_ != Aim::casters || !all_bounded_) return true;
   return std::any_of(targets_.begin(), targets_.end(),
                      [&](const Target& target) { return meets(target.box, origin, direction); });
 }

@@ -15,6 +15,7 @@ namespace lapidary::transport {
 enum class Aim {
   casters,     ///< where they may be focused: what misses all targets is not traced
   everywhere,  ///< on every surface; those that may be focused are drawn more densely
+  nowhere,     ///< as lights shine, which is not aimed at all
 };
 
 /// Sends photons from lights towards what may focus them, or everywhere.

@@ -115,6 +115,18 @@ TEST(SamplePlan, NobodyDecidesForItself) {
   EXPECT_NE(calm.at(5, 7, 8).count, wild.at(5, 7, 8).count);
 }
 
+// Radii shrink with the photons of all passes before, however these were shared out.
+TEST(SamplePlan, CountsThePhotonsOfThePassesBefore) {
+  const film::Film empty({.width = width, .height = height});
+  SamplePlan plan({.cost = 0.1, .error = 0.9}, empty);
+  EXPECT_EQ(plan.map().photons_before(5), 5.0);
+  plan.block_done(noisy_film(0, 0, 0.5f));
+  const double factor = plan.map().photons();
+  EXPECT_GT(factor, 1.0);
+  EXPECT_EQ(plan.map().photons_before(8), 8.0);
+  EXPECT_EQ(plan.map().photons_before(11), 8.0 + 3.0 * factor);
+}
+
 // Numbers of a pixel's samples follow one another through passes and epochs.
 TEST(SamplePlan, LeavesNoNumberOutAndTakesNoneTwice) {
   film::Film film = noisy_film(0, 0, 0.5f);
