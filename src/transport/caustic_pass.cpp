@@ -15,16 +15,15 @@ double share_of_photon(const Photon& photon, double chance_density, double area)
   return 1.0 - share_of_chance(turn, static_cast<double>(photon.density));
 }
 
-}  // namespace
-
-SampledSpectrum gather(const CausticPass& pass, const Gather& at) {
+SampledSpectrum gather(const CausticPass& pass, const CausticLayer& layer, const Gather& at) {
+  if (layer.map.empty()) return {};
   SampledSpectrum sum;
   const Vertex& vertex = at.vertex;
   const Vec3d ng = vertex.surface.geometric_normal;
-  const double radius = pass.radius(at.width), radius_squared = radius * radius;
+  const double radius = layer.radius(at.width), radius_squared = radius * radius;
   const double area = photon_area(pass, at.width);
   const auto kernel = 2.0 / (pi * radius_squared * pass.emitted);
-  pass.map.for_each_near(vertex.surface.p, radius, [&](const Photon& photon, double d2) {
+  layer.map.for_each_near(vertex.surface.p, radius, [&](const Photon& photon, double d2) {
     if (photon.depth > at.depth_left) return;
     const Vec3d wi_world(photon.wi);
     const double cos_geometric = std::abs(dot(ng, wi_world));
@@ -50,6 +49,12 @@ SampledSpectrum gather(const CausticPass& pass, const Gather& at) {
     }
   });
   return sum * static_cast<float>(kernel);
+}
+
+}  // namespace
+
+SampledSpectrum gather(const CausticPass& pass, const Gather& at) {
+  return gather(pass, pass.focused, at) + gather(pass, pass.diffused, at);
 }
 
 }  // namespace lapidary::transport

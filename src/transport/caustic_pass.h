@@ -19,17 +19,22 @@ enum class CausticMethod {
   off,        ///< nobody: that light is left out
 };
 
-/// The photons of a pass, and how they are gathered.
-struct CausticPass {
-  const PhotonEmitter* emitter = nullptr;  ///< never null
+/// Photons that are gathered alike.
+struct CausticLayer {
   PhotonMap map;
-  double emitted = 0;  ///< photons, with all misses
   /// Radius of a gather over the diameter of the camera's cone there.
   double radius_per_width = 1;
 
   double radius(double width) const {
     return std::clamp(radius_per_width * width, map.radii().smallest, map.radii().largest);
   }
+};
+
+/// The photons of a pass, and how they are gathered.
+struct CausticPass {
+  const PhotonEmitter* emitter = nullptr;  ///< never null
+  double emitted = 0;                      ///< photons, with all misses
+  CausticLayer focused, diffused;          ///< of either course
 };
 
 /// Where a path from the camera first scattered widely, and on which way it went on.
@@ -64,10 +69,10 @@ struct Gather {
 /// Mapping: A Probabilistic Approach".
 SampledSpectrum gather(const CausticPass& pass, const Gather& at);
 
-/// Number of photons times the kernel's effective area where a path stands: 1 over the integral of
-/// its square.
+/// Number of photons times the effective area, 1 over the integral of its square, of the kernel for
+/// focused light where a path stands.
 inline double photon_area(const CausticPass& pass, double width) {
-  const double radius = pass.radius(width);
+  const double radius = pass.focused.radius(width);
   return pass.emitted * 0.75 * pi * radius * radius;
 }
 

@@ -8,6 +8,9 @@
 namespace lapidary::transport {
 namespace {
 
+/// Radius for diffused photons over that for focused ones: there are few of them, and what they
+/// show is smooth but for contact shadows, which must not be lost.
+constexpr double diffused_radius = 4.0;
 /// Photons of a pass for each pixel: bounds of what is best.
 constexpr double fewest_per_pixel = 0.125;
 constexpr double most_per_pixel = 2.0;
@@ -305,10 +308,18 @@ Caustics::Yield Caustics::emit(std::uint32_t pass, std::uint32_t count,
 }
 
 CausticPass Caustics::pass_of(Yield yield, std::uint32_t count, double radius_per_width) const {
-  const PhotonMap::Radii radii{widths_.smallest * radius_per_width,
-                               widths_.largest * radius_per_width};
-  return {&emitter_, PhotonMap(std::move(yield.photons), origin_of(scene_), radii),
-          static_cast<double>(count), radius_per_width};
+  const auto layer = [&](std::vector<Photon> photons, double radius) {
+    const PhotonMap::Radii radii{widths_.smallest * radius, widths_.largest * radius};
+    return CausticLayer{PhotonMap(std::move(photons), origin_of(scene_), radii), radius};
+  };
+  std::vector<Photon>& focused = yield.photons;
+  std::vector<Photon> diffused;
+  std::erase_if(focused, [&](const Photon& photon) {
+    if (photon.course == Course::diffused) diffused.push_back(photon);
+    return photon.course == Course::diffused;
+  });
+  return {&emitter_, static_cast<double>(count), layer(std::move(focused), radius_per_width),
+          layer(std::move(diffused), diffused_radius * radius_per_width)};
 }
 
 CausticPass Caustics::trace(const Pass& pass, const Wavelengths& wavelengths, ThreadPool& pool,

@@ -8,6 +8,12 @@
 
 namespace lapidary::transport {
 
+/// What light has met before it fell where a photon is.
+enum class Course : std::uint8_t {
+  focused,   ///< only what scatters narrowly: it may be sharp as an edge
+  diffused,  ///< something that scatters widely, too: it is about the same all around
+};
+
 /// Light that a caustic's path brought to a surface that scatters widely.
 struct Photon {
   SampledSpectrum
@@ -22,6 +28,7 @@ struct Photon {
   std::uint32_t number = 0;  ///< of the emission it comes from, in its pass
   std::uint16_t depth = 0;   ///< scattering events between the light and here
   bsdf::Carried carried = bsdf::Carried::all;
+  Course course = Course::focused;
 };
 
 }  // namespace lapidary::transport

@@ -56,6 +56,7 @@ class PhotonTracer::Flight {
   const Leave& leave_;
   SampledSpectrum power_;
   double density_ = 0;  ///< of the emission, until it is scattered widely
+  Course course_ = Course::focused;
   bool went_through_glass_ = false;
 };
 
@@ -69,7 +70,7 @@ void PhotonTracer::Flight::follow(const PhotonEmitter::Emission& emission) {
     went_through_glass_ = went_through_glass_ || walk_.went_through_glass();
     const Vertex vertex = walk_.vertex();
     const bool is_narrow = bsdf::is_narrow(vertex.bsdf);
-    if (!is_narrow && is_wanted()) leave_({walk_, power_, density_});
+    if (!is_narrow && is_wanted()) leave_({walk_, power_, density_, course_});
     if (!scatter(vertex, is_narrow)) return;
   }
 }
@@ -96,7 +97,7 @@ bool PhotonTracer::Flight::scatter(const Vertex& vertex, bool is_narrow) {
     factor *= terminator_share(vertex, to_light, vertex.wo, sample.wi);
   }
   power_ *= sample.weight * static_cast<float>(factor);
-  if (is_wide) density_ = 0.0;
+  if (is_wide) density_ = 0.0, course_ = Course::diffused;
   walk_.scatter(vertex, sample, way->direction);
   return survives_roulette(before, points.roulette());
 }
@@ -177,7 +178,7 @@ std::optional<PhotonEmitter::Origin> PhotonTracer::trace(const Number& number,
     const Vec3d wi = -at.walk.ray().direction, n = surface.geometric_normal;
     left.push_back({at.power, Vec3f(surface.p - origin), Vec3f(wi),
                     Vec3f(dot(n, wi) < 0.0 ? -n : n), static_cast<float>(at.density), number.index,
-                    static_cast<std::uint16_t>(at.walk.depth()), at.walk.carried()});
+                    static_cast<std::uint16_t>(at.walk.depth()), at.walk.carried(), at.course});
   };
   return trace(number, wavelengths, leave, counters);
 }

@@ -40,6 +40,7 @@ class PhotonTracer {
     const Walk& walk;       ///< stands on the surface
     SampledSpectrum power;  ///< as Photon's
     double density = 0;     ///< as Photon's
+    Course course = Course::focused;
   };
   using Leave = std::function<void(const Arrival&)>;
   /// Traces one photon and calls `leave` wherever it is left. What it was drawn as, unless it was a
