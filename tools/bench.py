@@ -9,9 +9,11 @@ Programs of bench/ called bench_GROUP measure a part and print lines "key value 
 import argparse
 import dataclasses
 import json
+import os
 import pathlib
 import resource
 import shutil
+import signal
 import statistics
 import subprocess
 import sys
@@ -19,6 +21,7 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+INTERRUPTED = 4  # the exit code of a render that Ctrl-C ended
 PEERS = ("perforated.1000", "tree.8", "tree.10", "menger.4")  # models, quick ones first
 
 
@@ -99,54 +102,102 @@ def rows_of_lights(build):
     yield "lights.10000.error_ratio", power / hierarchy, "x", ">=5"
 
 
-def rows_of_caustics(build):
-    """The error of caustics at equal processor time, against pictures of many more samples whose
-    own error is the first row of each scene. For a quarter of an hour: only by its name.
+@dataclasses.dataclass(frozen=True)
+class CausticScene:
+    """A scene that caustics are judged on."""
+    file: str
+    region: str               # the caustic: X,Y,W,H
+    reference_seconds: int    # of each half
+    targets: dict             # seconds: (whole, caustic) of "auto"
+    options: tuple = ()
 
-    Errors leave out the worst 0.1 % of the pixels; "caustic" is the region that holds it."""
-    scenes = {"lens": ("bench/scenes/lens.lua", "110,140,150,105", ((5, "-", "-"),
-                       (25, "<=1e-4", "<=1e-3"), (100, "<=3e-5", "<=3e-4"))),
-              "cornell": ("bench/scenes/cornell_glass.lua", "150,222,65,26",
-                          ((10, "<=0.0057", "-"), (35, "<=0.0021", "-")))}
-    for name, (file, region, budgets) in scenes.items():
+
+CAUSTIC_SCENES = {
+    "lens": CausticScene("bench/scenes/lens.lua", "110,140,150,105", 700,
+                         {25: ("<=1e-4", "<=1e-3"), 100: ("<=3e-5", "<=3e-4")}),
+    "cornell": CausticScene("bench/scenes/cornell_glass.lua", "150,222,65,26", 350,
+                            {10: ("<=0.0057", "-"), 25: ("-", "-"), 35: ("<=0.0021", "-")}),
+    "prism": CausticScene("examples/rainbow.lua", "180,50,70,100", 350, {},
+                          ("--size", "400x225")),
+    "pool": CausticScene("examples/pool.lua", "80,40,240,120", 350, {}, ("--size", "400x225")),
+}
+CAUSTIC_SECONDS = (5, 10, 25, 100)
+# Plain progressive photon mapping is what photons were before they were aimed or shared out.
+CAUSTIC_METHODS = {
+    "auto": (),
+    "photons": ("--render", "caustics=photons"),
+    "paths": ("--render", "caustics=paths"),
+    "plain": ("--render", "caustics=photons", "--render", "photon_aim=none", "--render",
+              "sampling=uniform"),
+}
+
+
+def processor_seconds(process):
+    """What a process has taken so far; nothing once it has ended."""
+    try:
+        fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
+    except FileNotFoundError:
+        return 0.0
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def render_for(build, scene, out, seconds, seed, options):
+    """Renders on one thread until that much processor time is gone, as Ctrl-C would end it: on a
+    machine that does other things too, wall time says little. What it took."""
+    stats = out.with_suffix(".json")
+    command = [build / "lapidary", "render", ROOT / scene.file, "-o", out, "--stats", stats,
+               "--quiet", "--threads", "1", "--samples", "1000000", "--seed", str(seed),
+               *scene.options, *options]
+    with subprocess.Popen(command) as process:
+        while process.poll() is None and processor_seconds(process) < seconds:
+            time.sleep(0.02)
+        process.send_signal(signal.SIGINT)
+    if process.returncode not in (0, INTERRUPTED):
+        raise subprocess.CalledProcessError(process.returncode, command)
+    return json.loads(stats.read_text())["cpu_seconds"]
+
+
+def rows_of_caustics(build, wanted, references):
+    """The error of caustics at equal processor time, for two hours: only by its name, or that of
+    one scene. Errors leave out the worst 0.1 % of the pixels; "caustic" is the region that holds
+    it.
+
+    The reference is two renders, with smaller radii, whose own errors are independent: half of
+    their difference is that of each, and is taken from the mean difference to both."""
+    for name, scene in CAUSTIC_SCENES.items():
+        if wanted not in ("caustics", f"caustics.{name}"):
+            continue
+        halves = [references / f"{name}.{half}.exr" for half in "ab"]
+        for seed, half in enumerate(halves, 901):
+            if not half.exists():
+                render_for(build, scene, half, scene.reference_seconds, seed,
+                           ("--render", "photon_radius=1.4"))
+
+        def compared(a, b, *options):
+            text = subprocess.run([build / "lapidary", "compare", a, b, *options], check=True,
+                                  stdout=subprocess.PIPE, text=True).stdout
+            return float(text.split()[1])
+
+        places = {"whole": (), "caustic": ("--crop", scene.region)}
+        own = {place: 0.5 * compared(*halves, "--trim", "0.001", *crop)
+               for place, crop in places.items()}
+        for place, error in own.items():
+            yield f"caustics.{name}.reference.{place}", 0.5 * error, "rel", "-"
         with tempfile.TemporaryDirectory() as folder:
-            folder = pathlib.Path(folder)
-
-            def picture(out, method, seconds, seed):
-                """On one thread; the processor time that it took."""
-                options = ("--time", str(seconds), "--samples", "1000000", "--seed", str(seed),
-                           "--threads", "1", "--render", f"caustics={method}")
-                stats = render(build, Scene(name, file, options, "-"), folder)
-                (folder / "out.exr").rename(folder / out)
-                return stats["cpu_seconds"]
-
-            def compared(a, b, *options):
-                text = subprocess.run([build / "lapidary", "compare", folder / a, folder / b,
-                                       *options], check=True, stdout=subprocess.PIPE,
-                                      text=True).stdout
-                return float(text.split()[1])
-
-            def errors(a, b):
-                trim = ("--trim", "0.001")
-                return compared(a, b, *trim), compared(a, b, *trim, "--crop", region)
-
-            long = 4 * budgets[-1][0]
-            picture("reference.exr", "auto", long, 101)
-            picture("half.exr", "auto", long, 102)
-            whole, caustic = errors("half.exr", "reference.exr")
-            yield f"caustics.{name}.reference.whole", 0.5 * whole, "rel", "-"
-            yield f"caustics.{name}.reference.caustic", 0.5 * caustic, "rel", "-"
-            for seconds, whole_target, caustic_target in budgets:
-                for method in ("auto", "photons", "paths"):
-                    taken = picture("picture.exr", method, seconds, 1)
-                    whole, caustic = errors("picture.exr", "reference.exr")
+            picture = pathlib.Path(folder) / "picture.exr"
+            for seconds in sorted({*CAUSTIC_SECONDS, *scene.targets}):
+                for method, options in CAUSTIC_METHODS.items():
                     key = f"caustics.{name}.{seconds}s.{method}"
+                    taken = render_for(build, scene, picture, seconds, 1, options)
                     yield f"{key}.cpu", taken, "s", "-"
-                    is_auto = method == "auto"
-                    yield f"{key}.whole", whole, "rel", whole_target if is_auto else "-"
-                    yield f"{key}.caustic", caustic, "rel", caustic_target if is_auto else "-"
-                    energy = compared("picture.exr", "reference.exr", "--metric", "energy", "--crop",
-                                      region)
+                    targets = scene.targets.get(seconds, ("-", "-"))
+                    for (place, crop), target in zip(places.items(), targets):
+                        error = statistics.mean(compared(picture, half, "--trim", "0.001", *crop)
+                                                for half in halves) - own[place]
+                        yield (f"{key}.{place}", error, "rel",
+                               target if method == "auto" else "-")
+                    energy = statistics.mean(compared(picture, half, "--metric", "energy",
+                                                      "--crop", scene.region) for half in halves)
                     yield f"{key}.energy", energy, "1", "-"
 
 
@@ -216,11 +267,12 @@ def meets(value, target):
     return value >= limit if target.startswith(">=") else value <= limit
 
 
-def measure(build, wanted):
-    """Yields (key, value, unit, target) of the group `wanted`, or of all."""
+def measure(build, wanted, references):
+    """Yields (key, value, unit, target) of the group `wanted`, or of all that take minutes."""
     groups = {path.name.removeprefix("bench_"): path
               for path in sorted(build.glob("bench_*")) if path.is_file()}
-    known = sorted({*groups, "caustics", "cli", *(scene.group for scene in SCENES)})
+    of_caustics = ["caustics", *(f"caustics.{name}" for name in CAUSTIC_SCENES)]
+    known = sorted({*groups, *of_caustics, "cli", *(scene.group for scene in SCENES)})
     if wanted and wanted not in known:
         sys.exit(f"bench: no group '{wanted}'; there are {', '.join(known)}")
     for group, path in groups.items():
@@ -233,8 +285,9 @@ def measure(build, wanted):
         yield from rows_of_lights(build)
     if wanted in (None, "texture"):
         yield from rows_of_pictures(build)
-    if wanted == "caustics":
-        yield from rows_of_caustics(build)
+    if wanted in of_caustics:
+        with tempfile.TemporaryDirectory() as folder:
+            yield from rows_of_caustics(build, wanted, references or pathlib.Path(folder))
     if wanted in (None, "cli"):
         yield from rows_of_command_line(build)
 
@@ -245,6 +298,8 @@ def main():
     parser.add_argument("--peers", action="store_true",
                         help="group csg: also run POV-Ray on the same models, for minutes")
     parser.add_argument("--json", metavar="FILE", help="also write {key: {value, unit, target}}")
+    parser.add_argument("--references", metavar="FOLDER", type=pathlib.Path,
+                        help="group caustics: keep the references there, and use those that are")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release",
                         help=argparse.SUPPRESS)
     arguments = parser.parse_args()
@@ -259,7 +314,7 @@ def main():
             table[key] = {"value": value, "unit": unit, "target": target}
 
     try:
-        show(measure(arguments.build, arguments.group))
+        show(measure(arguments.build, arguments.group, arguments.references))
         if arguments.peers:
             show(rows_of_peers(arguments.build, table))
     except subprocess.CalledProcessError as error:
