@@ -31,7 +31,8 @@ BlockRenderer::BlockRenderer(const scene::Scene& scene, const SampleSettings& se
                 {settings.path.interreflection == transport::Interreflection::full
                      ? settings.path.caustics
                      : transport::CausticMethod::paths,
-                 settings.path.max_depth, settings.seed, picture.width, picture.height},
+                 settings.path.max_depth, settings.seed, picture.width, picture.height,
+                 settings.photon_radius},
                 pool),
       cone_(camera::pixel_cone(scene.camera(), {static_cast<double>(picture.width),
                                                 static_cast<double>(picture.height)})),

@@ -39,6 +39,8 @@ struct SampleSettings {
   FilterSampler filter;
   std::uint64_t seed = 0;
   Sampling sampling = Sampling::adaptive;
+  /// As transport::Caustics::Settings::first_radius.
+  double photon_radius = transport::Caustics::Settings().first_radius;
   /// How illumination maps are made, where paths end in these.
   std::optional<transport::IlluminationMaps::Settings> illumination = std::nullopt;
 };

@@ -8,8 +8,6 @@
 namespace lapidary::transport {
 namespace {
 
-/// In diameters of the camera's cone, which is a pixel's: the radius of the first pass.
-constexpr double first_radius = 2.5;
 /// Photons of a pass for each pixel: bounds of what is best.
 constexpr double fewest_per_pixel = 0.125;
 constexpr double most_per_pixel = 2.0;
@@ -28,7 +26,7 @@ constexpr std::uint32_t probing_pass = 0xffffff00u;
 /// Side, in pixels, of the small picture that a first phase looks at, and the samples of each.
 constexpr std::size_t small_side = 64;
 constexpr std::uint32_t small_samples = 4;
-/// As `first_radius`, in its pixels.
+/// As `Settings::first_radius`, in its pixels.
 constexpr double small_radius = 1.5;
 /// Of the mean radiance of a picture, the error that nobody minds where it is dark.
 constexpr double tolerated_share = 0.1;
@@ -226,7 +224,8 @@ Caustics::Judgement Caustics::judge(Yield yield, std::uint32_t count, ThreadPool
     of_photons.push_back(photons);
   }
   judgement.variance_of_paths = trimmed_mean(of_paths);
-  constexpr double widths = small_radius * small_radius / (first_radius * first_radius);
+  const double widths =
+      small_radius * small_radius / (settings_.first_radius * settings_.first_radius);
   judgement.variance_of_photons =
       trimmed_mean(of_photons) * widths * count / static_cast<double>(picture.pixels.size());
   judgement.cost_of_paths = picture.cost;
@@ -316,7 +315,7 @@ CausticPass Caustics::trace(std::uint32_t pass, double factor, const Wavelengths
       static_cast<std::uint32_t>(std::min(factor * photons_per_pass_, most_per_pass_));
   Yield yield = emit(pass, count, wavelengths, pool);
   counters += yield.counters;
-  return pass_of(std::move(yield), count, first_radius * radius_shrinkage(pass));
+  return pass_of(std::move(yield), count, settings_.first_radius * radius_shrinkage(pass));
 }
 
 }  // namespace lapidary::transport

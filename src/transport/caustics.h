@@ -20,6 +20,9 @@ class Caustics {
     int max_depth = 16;
     std::uint64_t seed = 0;
     int width = 1, height = 1;  ///< of the picture
+    /// Of a gather in the first pass, in diameters of the camera's cone there, which is a pixel's;
+    /// > 0. What it blurs vanishes with its square.
+    double first_radius = 2.5;
   };
 
   /// The scene must outlive this. Time: that of a few ten thousand paths.
