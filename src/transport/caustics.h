@@ -10,7 +10,9 @@ namespace lapidary::transport {
 
 /// How photons make caustics, where that should be studied; the defaults converge fastest.
 struct PhotonSettings {
-  double first_radius = 2.5;  ///< of the first pass, in diameters of the camera's cone: pixels
+  /// Of a gather in the first pass, in diameters of the camera's cone there, which is a pixel's;
+  /// > 0. What it blurs vanishes with its square.
+  double first_radius = 2.5;
   Aim aim = Aim::casters;
 };
 

@@ -22,6 +22,9 @@ constexpr double least_reaching = 1e-3;
 constexpr std::size_t guide_width = 24;
 /// Of what emission was like before it learned, the share that stays.
 constexpr double kept_share = 0.15;
+/// Photons that a cell learns from, with its neighbours if it must be: where too few had any worth,
+/// by chance, those of later passes would be rare and as bright.
+constexpr double fewest_photons_of_cell = 4.0;
 
 Ball ball_around(const Box3d& box) {
   return {box.center(), 0.5 * length(box.extent())};
@@ -31,6 +34,29 @@ Ball ball_around(const Box3d& box) {
 Vec2d inside(Vec2d square) {
   constexpr double last = 1.0 - 0x1p-53;
   return {std::clamp(square.x, 0.0, last), std::clamp(square.y, 0.0, last)};
+}
+
+/// Means of a grid's values over squares of cells that hold `fewest_photons_of_cell` of `photons`,
+/// if these are spread evenly; at the rim over what there is of them.
+std::vector<double> smoothed(const std::vector<double>& grid, std::size_t photons) {
+  constexpr auto width = static_cast<int>(guide_width);
+  const double cells = fewest_photons_of_cell * static_cast<double>(grid.size());
+  const double across = std::sqrt(cells / static_cast<double>(photons));
+  const int reach = static_cast<int>(std::ceil(0.5 * (across - 1.0)));
+  if (reach < 1) return grid;
+  const auto along = [&](const std::vector<double>& from, std::size_t step, std::size_t line) {
+    std::vector<double> to(from.size());
+    for (int at = 0; at < width * width; ++at) {
+      const auto start = static_cast<std::size_t>(at / width) * line;
+      const int low = std::max(at % width - reach, 0),
+                high = std::min(at % width + reach, width - 1);
+      double sum = 0.0;
+      for (int i = low; i <= high; ++i) sum += from[start + static_cast<std::size_t>(i) * step];
+      to[start + static_cast<std::size_t>(at % width) * step] = sum / (high - low + 1);
+    }
+    return to;
+  };
+  return along(along(grid, 1, guide_width), guide_width, 1);
 }
 
 Target target_of(std::span<const scene::Caster> casters) {
@@ -171,9 +197,12 @@ void PhotonEmitter::learn(std::span<const Lesson> lessons, std::uint32_t emitted
   double all = 0.0;
   for (std::size_t i = 0; i < proposals_.size(); ++i) {
     for (std::size_t cell = 0; cell < wanted[i].size(); ++cell) {
-      const double drawn = emitted * proposals_[i].probability * density_of_cell(i, cell) / cells;
-      wanted[i][cell] = std::sqrt(drawn * wanted[i][cell]);
-      weights[i] += wanted[i][cell];
+      wanted[i][cell] *= emitted * proposals_[i].probability * density_of_cell(i, cell) / cells;
+    }
+    if (seen[i] > 0) wanted[i] = smoothed(wanted[i], seen[i]);
+    for (double& value : wanted[i]) {
+      value = std::sqrt(value);
+      weights[i] += value;
     }
     all += weights[i];
   }

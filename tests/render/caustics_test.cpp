@@ -1,8 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "render/block.h"
-#include "scene/tiny_scene.h"
-#include "support/statistics.h"
+#include "render/caustic_renders.h"
 
 // Whether photons and paths are two ways to one picture: the partition of light between them has
 // neither gaps nor overlaps.
@@ -12,40 +10,10 @@ namespace {
 using namespace test;
 using transport::CausticMethod;
 
-constexpr int side = 12;    // of the picture, pixels
-constexpr int renders = 8;  // independent ones, by their seeds
-constexpr std::uint32_t passes = 64;
+constexpr int side = 12;  // of pictures, pixels
 
-/// A lens of this glass over a matte floor, and another ball that only stands by.
-TinyScene lens_over_floor(description::MaterialPtr worn) {
-  TinyScene tiny;
-  tiny.add(geometry::Rectangle{{-3, -3, 0}, {6, 0, 0}, {0, 6, 0}}, matte(0.6));
-  tiny.add(geometry::Sphere{{}, 1.0}, std::move(worn),
-           Transform::translation({0, 0, 1}) * Transform::scaling({0.6, 0.6, 0.25}));
-  tiny.add(geometry::Sphere{{0.9, 0.4, 0.3}, 0.3}, matte(0.5));
-  // The floor under the lens, from the side.
-  tiny.look({0, -3, 1.2}, {0, 0, 0}, 30.0);
-  tiny.description.render.size = {side, side};
-  return tiny;
-}
-
-/// Mean of the green of all pixels, over independent renders.
 RunningMean brightness(const scene::Scene& scene, CausticMethod method, int depth = 6) {
-  ThreadPool pool(2);
-  RunningMean mean;
-  for (std::uint64_t seed = 1; seed <= renders; ++seed) {
-    const render::SampleSettings settings{
-        {.max_depth = depth, .caustics = method}, FilterSampler(FilterKind::box, 0.5), seed};
-    const render::BlockRenderer renderer(scene, settings, {side, side}, pool);
-    film::Film film({.width = side, .height = side, .layers = film::Layers::beauty});
-    renderer.render({0, passes}, film, pool);
-    double sum = 0.0;
-    for (int y = 0; y < side; ++y) {
-      for (int x = 0; x < side; ++x) sum += static_cast<double>(film.beauty(x, y).g);
-    }
-    mean.add(sum / (side * side));
-  }
-  return mean;
+  return test::brightness(scene, {.method = method, .depth = depth, .side = side});
 }
 
 /// Photons, paths and both together agree within 4 standard errors of their difference, which a
