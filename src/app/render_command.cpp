@@ -110,15 +110,15 @@ void warn_about_maps(const transport::IlluminationMaps* maps, WarningLog& warnin
 /// Renders under the eyes of the user, who may end it.
 render::Statistics render_watched(const RenderCommand& command,
                                   const render::BlockRenderer& renderer,
-                                  const description::RenderSettings& settings, film::Film& film,
-                                  ThreadPool& pool) {
+                                  const description::RenderSettings& settings,
+                                  render::Canvas& canvas, ThreadPool& pool) {
   const InterruptGuard interrupt;
   const auto display = make_progress_display(command.progress);
   const render::Control control{
       .on_progress = [&](const render::Progress& p) { display->update(state_of(p)); },
       .stop = &interrupt.requested()};
   const render::Statistics statistics =
-      render::render(renderer, render::stop_rules(settings), control, film, pool);
+      render::render(renderer, render::stop_rules(settings), control, canvas, pool);
   display->finish();
   return statistics;
 }
@@ -182,26 +182,26 @@ ExitCode run(const RenderCommand& command) {
                                            .exposure_factor = description.film.exposure,
                                            .scene_size = scene.size()};
   render::check_memory(film_settings);
-  film::Film film(film_settings);
   const double cpu_seconds_before = process_cpu_seconds();
   const render::BlockRenderer renderer(scene, render::sample_settings(description.render),
-                                       {film.width(), film.height()}, pool);
+                                       {film_settings.width, film_settings.height}, pool);
+  render::Canvas canvas(film_settings, renderer);
   warn_about_caustics(renderer.caustics().state(), warnings);
   warn_about_maps(renderer.illumination(), warnings);
   statistics.seconds.photons = clock.lap();
   print_warnings(warnings.take());
-  statistics.render = render_watched(command, renderer, description.render, film, pool);
+  statistics.render = render_watched(command, renderer, description.render, canvas, pool);
   statistics.render_cpu_seconds = process_cpu_seconds() - cpu_seconds_before;
-  statistics.samples_per_pixel = film.passes();
+  statistics.samples_per_pixel = canvas.picture().pass_count();
   statistics.seconds.render = clock.lap();
 
-  const image::LayeredImage picture = film::develop(film);
+  const image::LayeredImage picture = film::develop(canvas.picture());
   for (const std::string& path : pictures) {
     image::write_image(path, picture, write_options(command, statistics, description));
   }
   statistics.seconds.write = clock.lap();
   if (!command.stats_file.empty()) write_text(command.stats_file, to_json(statistics));
-  warn_about_faults(statistics.render.tally.faults, warnings);
+  warn_about_faults(canvas.picture().faults(), warnings);
   print_warnings(warnings.take());
   if (command.progress != ProgressStyle::none) print_summary(pictures, statistics);
   return statistics.render.ending == render::Ending::complete ? ExitCode::done
