@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "base/input_files.h"
 #include "image/image.h"
 #include "image/tone.h"
 
@@ -27,7 +28,8 @@ enum class Alpha {
 struct ReadOptions {
   ColorSpace color_space = ColorSpace::automatic;
   Alpha alpha = Alpha::drop;
-  std::string layer;  ///< of an OpenEXR file; empty is the beauty, the channels R, G, B
+  std::string layer;            ///< of an OpenEXR file; empty is the beauty, the channels R, G, B
+  InputFiles* files = nullptr;  ///< where it is noted that the file was read; null: nowhere
 };
 
 /// Reads a picture as linear float RGB(A). The format follows from the content, not the name.

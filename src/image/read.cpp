@@ -57,6 +57,7 @@ auto decode_file(const std::filesystem::path& path, const ReadOptions& options,
   const std::string file = path.string();
   try {
     const std::vector<std::byte> bytes = file_bytes(file);
+    if (options.files) options.files->add(path, bytes);
     const Source source{file, bytes, options};
     return decode(source, content_format(source));
   } catch (const std::bad_alloc&) {
