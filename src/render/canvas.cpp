@@ -74,15 +74,20 @@ void Canvas::add(film::Film blocks) {
 
 void Canvas::take_decisions() {
   if (!plan_) return;
-  for (;;) {
-    const std::uint64_t before = plan_->known_until();
+  for (std::uint64_t before = 0; plan_->known_until() != before;) {
+    before = plan_->known_until();
+    while (!waiting_.empty() && waiting_.begin()->first < plan_->next_decision()) {
+      film_.add(waiting_.begin()->second);
+      waiting_.erase(waiting_.begin());
+    }
     plan_->block_done(film_);
-    if (plan_->known_until() == before) return;
-    const auto next = waiting_.begin();
-    if (next == waiting_.end() || next->first >= plan_->next_decision()) continue;
-    film_.add(next->second);
-    waiting_.erase(next);
   }
+}
+
+void Canvas::learn(const SamplePlan& plan) {
+  if (!plan_ || plan.known_until() <= plan_->known_until()) return;
+  plan_ = plan;
+  take_decisions();
 }
 
 void Canvas::settle() {

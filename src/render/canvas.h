@@ -43,6 +43,9 @@ class Canvas {
 
   /// Adds whole blocks that were rendered elsewhere, none of which is here.
   void add(film::Film blocks);
+  /// Takes over decisions that were taken elsewhere, from the same passes. Precondition: they are
+  /// the same as far as both plans go.
+  void learn(const SamplePlan& plan);
   /// Takes what is kept apart into the film. Decisions that waited for it are never taken.
   void settle();
 
