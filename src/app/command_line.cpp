@@ -414,8 +414,8 @@ std::string usage() {
   text +=
       "\n`lapidary help VERB` lists the options of a verb.\n"
       "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 the scene or a file is\n"
-      "wrong, 4 interrupted, with the picture so far written, 5 checkpoints are of another\n"
-      "picture than what is to go on or be merged.\n";
+      "wrong, 4 interrupted, with the picture so far written, 5 checkpoints are of\n"
+      "another picture than what is to go on or be merged.\n";
   return text;
 }
 
