@@ -60,6 +60,19 @@ image::Crop parse_crop(std::string_view text) {
   return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
+BlockNumbers parse_blocks(std::string_view text) {
+  constexpr std::uint32_t most = 1 << 22;
+  const std::size_t dash = text.find('-');
+  const auto first = parse_number<std::uint32_t>(text.substr(0, dash));
+  const auto last =
+      dash == std::string_view::npos ? first : parse_number<std::uint32_t>(text.substr(dash + 1));
+  if (!first || !last || *first < 1 || *last < *first || *last > most) {
+    throw UsageError(fmt::format("--blocks takes A-B with 1 <= A <= B <= {}, not '{}'", most, text),
+                     "both are rendered: 1-4 is four blocks");
+  }
+  return {*first, *last};
+}
+
 /// An option whose text goes to `take`; given twice, the last one counts.
 CLI::Option* add_text(CLI::App& verb, const std::string& flag, const std::string& type,
                       const std::string& help, std::function<void(const std::string&)> take) {
@@ -149,12 +162,33 @@ void declare(CLI::App& verb, RenderCommand& command) {
   });
   add_text(verb, "--stats", "FILE", "write what was done and what it took, as JSON",
            [&](const std::string& text) { command.stats_file = text; });
+  add_text(verb, "--checkpoint", "SECONDS",
+           "write a checkpoint so often; 0: never (60, or 50 times what one takes)",
+           [&](const std::string& text) {
+             command.checkpoint_seconds = number_in("--checkpoint", text, 0.0, 1e9);
+           });
+  verb.add_flag_callback(
+      "--resume", [&] { command.resumes = true; },
+      "go on from the checkpoint of the picture, if there is one");
+  add_text(verb, "--blocks", "A-B", "only these blocks of passes, from 1; `merge` adds them",
+           [&](const std::string& text) { command.blocks = parse_blocks(text); });
+  add_text(verb, "--plan", "FILE",
+           "the picture with the checkpoint whose adaptive sampling --blocks follow",
+           [&](const std::string& text) { command.plan_file = text; });
   const std::vector<std::pair<std::string, ProgressStyle>> styles = {
       {"bar", ProgressStyle::bar}, {"lines", ProgressStyle::lines}, {"json", ProgressStyle::json}};
   add_choice(verb, "--progress", command.progress, styles,
              "how to show progress (bar on a terminal)");
   verb.add_flag_callback(
       "--quiet", [&] { command.progress = ProgressStyle::none; }, "warnings and errors only");
+}
+
+void declare(CLI::App& verb, MergeCommand& command) {
+  verb.add_option("PART", command.parts, "pictures with checkpoints, of --blocks or whole (.exr)")
+      ->required()
+      ->type_name("");
+  add_texts(verb, "-o", "FILE", "the picture of all: .png, .exr, .jpg, .hdr; may be repeated",
+            [&](const std::string& text) { command.outputs.push_back(text); });
 }
 
 void declare(CLI::App& verb, BakeCommand& command) {
@@ -271,6 +305,26 @@ void check_together(const ProbeCommand& command) {
                    "--ray 0,0,5,0,0,-1 goes down the z axis; --rays FILE reads one from each line");
 }
 
+void check_together(const RenderCommand& command) {
+  if (!command.plan_file.empty() && !command.blocks) {
+    throw UsageError("--plan is for --blocks",
+                     "--resume goes on with a picture; --blocks A-B renders a part");
+  }
+  if (!command.blocks) return;
+  for (const Assignment& setting : command.settings) {
+    if (setting.name == "samples" || setting.name == "time" || setting.name == "noise") {
+      throw UsageError(fmt::format("--blocks and --{} do not go together", setting.name),
+                       "the last block says when to stop");
+    }
+  }
+}
+
+void check_together(const MergeCommand& command) {
+  if (command.outputs.empty()) {
+    throw UsageError("-o is missing", "-o whole.exr names the picture to write");
+  }
+}
+
 struct Verb {
   std::string name;
   std::string summary;
@@ -297,9 +351,10 @@ Command parse_as(const Verb& verb, Strings arguments) {
   return command;
 }
 
-const std::array<Verb, 6>& verbs() {
-  static const std::array<Verb, 6> all = {{
+const std::array<Verb, 7>& verbs() {
+  static const std::array<Verb, 7> all = {{
       {"render", "make a picture of a scene or a mesh", parse_as<RenderCommand>},
+      {"merge", "add parts that --blocks rendered to one picture", parse_as<MergeCommand>},
       {"bake", "write the light on every surface as images", parse_as<BakeCommand>},
       {"check", "say what a scene holds and what is wrong with it", parse_as<CheckCommand>},
       {"probe", "list every surface along a ray, as JSON", parse_as<ProbeCommand>},
@@ -328,7 +383,7 @@ UsageError unknown_verb(const std::string& name) {
   const std::string suggestion = schema::did_you_mean(name, names);
   return UsageError(fmt::format("unknown verb '{}'", name),
                     suggestion.empty()
-                        ? "the verbs are render, bake, check, probe, compare and help"
+                        ? "the verbs are render, merge, bake, check, probe, compare and help"
                         : suggestion);
 }
 
@@ -359,7 +414,8 @@ std::string usage() {
   text +=
       "\n`lapidary help VERB` lists the options of a verb.\n"
       "Exit codes: 0 done, 1 internal error, 2 wrong usage, 3 the scene or a file is\n"
-      "wrong, 4 interrupted, with the picture so far written.\n";
+      "wrong, 4 interrupted, with the picture so far written, 5 checkpoints are of\n"
+      "another picture than what is to go on or be merged.\n";
   return text;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -31,6 +32,12 @@ struct SceneArguments {
 
 enum class ProgressStyle { automatic, bar, lines, json, none };
 
+/// --blocks A-B: both are rendered; the first block is 1.
+struct BlockNumbers {
+  std::uint32_t first = 1;
+  std::uint32_t last = 1;
+};
+
 /// lapidary render
 struct RenderCommand {
   SceneArguments scene;
@@ -39,6 +46,17 @@ struct RenderCommand {
   int threads = 0;                   ///< 0: all
   std::string stats_file;            ///< empty: none
   ProgressStyle progress = ProgressStyle::automatic;
+  /// --checkpoint; 0: never; none: each minute, or more seldom where that costs too much.
+  std::optional<double> checkpoint_seconds;
+  bool resumes = false;                ///< --resume
+  std::optional<BlockNumbers> blocks;  ///< --blocks
+  std::string plan_file;               ///< --plan, with --blocks; empty: none
+};
+
+/// lapidary merge
+struct MergeCommand {
+  std::vector<std::string> parts;
+  std::vector<std::string> outputs;
 };
 
 /// lapidary bake
@@ -88,8 +106,8 @@ struct ShowText {
   std::string text;
 };
 
-using Command = std::variant<RenderCommand, BakeCommand, CheckCommand, ProbeCommand, CompareCommand,
-                             HelpCommand, ShowText>;
+using Command = std::variant<RenderCommand, MergeCommand, BakeCommand, CheckCommand, ProbeCommand,
+                             CompareCommand, HelpCommand, ShowText>;
 
 /// The command line makes no sense.
 class UsageError : public std::runtime_error {

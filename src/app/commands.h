@@ -8,6 +8,7 @@ namespace lapidary::app {
 /// Each carries out one verb, printing what the user is to see. Throws Error for wrong input and
 /// UsageError for a wrong option that only shows once input has been read.
 ExitCode run(const RenderCommand& command);
+ExitCode run(const MergeCommand& command);
 ExitCode run(const BakeCommand& command);
 ExitCode run(const CheckCommand& command);
 ExitCode run(const ProbeCommand& command);

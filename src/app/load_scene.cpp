@@ -28,7 +28,8 @@ SceneKind kind_of(const std::string& file) {
                    "scenes end in .lua, meshes in .obj");
 }
 
-description::SceneDescription load_lua(const SceneArguments& arguments, WarningLog& warnings) {
+description::SceneDescription load_lua(const SceneArguments& arguments, WarningLog& warnings,
+                                       InputFiles* files) {
   if (arguments.up) {
     throw UsageError("--up is for bare meshes", "a scene turns its meshes itself, with :rotate");
   }
@@ -36,16 +37,18 @@ description::SceneDescription load_lua(const SceneArguments& arguments, WarningL
   for (const auto& [name, value] : arguments.parameters) options.settings.emplace_back(name, value);
   options.allowed.assign(arguments.allowed_folders.begin(), arguments.allowed_folders.end());
   options.warnings = &warnings;
+  options.files = files;
   options.print = [](std::string_view line) { fmt::print(stderr, "{}\n", line); };
   return lua::load_scene(arguments.file, options).scene;
 }
 
-description::SceneDescription load_obj(const SceneArguments& arguments, WarningLog& warnings) {
+description::SceneDescription load_obj(const SceneArguments& arguments, WarningLog& warnings,
+                                       InputFiles* read) {
   if (!arguments.parameters.empty()) {
     throw UsageError("--set is for scenes; a bare mesh has no parameters");
   }
-  import::ImageFiles images;
-  import::MeshFiles files(&warnings, {}, &images);
+  import::ImageFiles images(read);
+  import::MeshFiles files(&warnings, {}, &images, read);
   description::SceneDescription scene;
   scene.objects = {files.read(arguments.file, {.up = arguments.up})};
   return scene;
@@ -72,10 +75,11 @@ void apply_settings(const std::vector<Assignment>& settings, description::Render
 
 description::SceneDescription load_scene(const SceneArguments& arguments,
                                          const std::vector<Assignment>& settings,
-                                         WarningLog& warnings) {
+                                         WarningLog& warnings, InputFiles* files) {
   const SceneKind kind = kind_of(arguments.file);
-  description::SceneDescription scene =
-      kind == SceneKind::lua ? load_lua(arguments, warnings) : load_obj(arguments, warnings);
+  description::SceneDescription scene = kind == SceneKind::lua
+                                            ? load_lua(arguments, warnings, files)
+                                            : load_obj(arguments, warnings, files);
   apply_settings(settings, scene.render, scene.film);
   return scene;
 }

@@ -6,6 +6,7 @@
 
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/different_picture.h"
 #include "app/messages.h"
 #include "base/error.h"
 
@@ -20,6 +21,9 @@ ExitCode run_program(std::vector<std::string> arguments) {
   } catch (const UsageError& error) {
     print_error({}, error.what(), error.hint());
     return ExitCode::usage;
+  } catch (const DifferentPicture& error) {
+    print_error({}, error.what(), error.hint());
+    return ExitCode::different;
   } catch (const Error& error) {
     print_error(error.where(), error.problem(), error.hint());
     return ExitCode::bad_input;

@@ -1,18 +1,19 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/core.h>
 
+#include "app/checkpoints.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/load_scene.h"
 #include "app/messages.h"
+#include "app/outputs.h"
 #include "app/progress.h"
+#include "app/resume.h"
 #include "app/statistics.h"
-#include "film/develop.h"
-#include "image/file_format.h"
-#include "image/image_io.h"
 #include "image/output_file.h"
 #include "inspect/averted_lights.h"
 #include "inspect/solid_warnings.h"
@@ -42,19 +43,6 @@ std::vector<std::string> outputs_of(const RenderCommand& command) {
   return {std::filesystem::path(command.scene.file).stem().string() + ".png"};
 }
 
-/// Finds out before the work what would fail after it.
-void check_outputs(const std::vector<std::string>& pictures, const std::string& stats_file) {
-  for (const std::string& picture : pictures) image::check_writable(picture);
-  if (!stats_file.empty()) image::OutputFile probe(stats_file);
-}
-
-film::Layers layers_for(const std::vector<std::string>& pictures) {
-  for (const std::string& picture : pictures) {
-    if (image::format_of_name(picture) == image::FileFormat::exr) return film::Layers::all;
-  }
-  return film::Layers::beauty;
-}
-
 ProgressState state_of(const render::Progress& progress) {
   ProgressState state;
   state.samples = static_cast<int>(progress.passes);
@@ -66,21 +54,6 @@ ProgressState state_of(const render::Progress& progress) {
     state.fraction = progress.seconds_left ? progress.seconds / total : 0;
   }
   return state;
-}
-
-image::WriteOptions write_options(const RenderCommand& command, const RunStatistics& statistics,
-                                  const description::SceneDescription& description) {
-  image::WriteOptions options;
-  options.metadata = {{"scene", std::filesystem::path(command.scene.file).filename().string()},
-                      {"samples", static_cast<double>(statistics.samples_per_pixel)},
-                      {"seed", std::to_string(description.render.seed)},
-                      {"seconds", statistics.seconds.render},
-                      {"software", std::string("Lapidary " LAPIDARY_VERSION)}};
-  options.display.exposure = std::log2(description.film.exposure);
-  options.display.tone = description.film.tone == description::ToneCurve::filmic
-                             ? image::Tone::filmic
-                             : image::Tone::none;
-  return options;
 }
 
 void write_text(const std::string& path, const std::string& text) {
@@ -107,18 +80,41 @@ void warn_about_maps(const transport::IlluminationMaps* maps, WarningLog& warnin
                          "was scattered: only direct light is seen");
 }
 
-/// Renders under the eyes of the user, who may end it.
-render::Statistics render_watched(const RenderCommand& command,
-                                  const render::BlockRenderer& renderer,
-                                  const description::RenderSettings& settings, film::Film& film,
-                                  ThreadPool& pool) {
+/// What is rendered, and where to.
+struct Work {
+  const render::BlockRenderer& renderer;
+  render::StopRules rules;
+  render::Canvas& canvas;
+};
+
+/// Says where a render starts, if that is a question.
+void print_start(const Start& start, const Outputs& outputs) {
+  if (start.from == Start::From::no_checkpoint) {
+    fmt::print(stderr, "{}: not there, starting from the beginning\n", outputs.checkpoint());
+  } else if (start.from == Start::From::checkpoint) {
+    fmt::print(stderr, "{}: going on from {} samples per pixel\n", outputs.checkpoint(),
+               start.canvas.film().pass_count());
+  }
+}
+
+/// Renders under the eyes of the user, who may end it. Checkpoints may be null.
+render::Statistics render_watched(const RenderCommand& command, const Work& work,
+                                  Checkpoints* checkpoints, ThreadPool& pool) {
   const InterruptGuard interrupt;
   const auto display = make_progress_display(command.progress);
-  const render::Control control{
+  render::Control control{
       .on_progress = [&](const render::Progress& p) { display->update(state_of(p)); },
       .stop = &interrupt.requested()};
+  if (checkpoints != nullptr) {
+    control.on_block = [&](const render::Canvas& canvas) {
+      checkpoints->block_done(canvas, [&](const std::string& warning) {
+        display->finish();
+        print_warnings({{{}, warning}});
+      });
+    };
+  }
   const render::Statistics statistics =
-      render::render(renderer, render::stop_rules(settings), control, film, pool);
+      render::render(work.renderer, work.rules, control, work.canvas, pool);
   display->finish();
   return statistics;
 }
@@ -154,22 +150,26 @@ void print_summary(const std::vector<std::string>& pictures, const RunStatistics
 
 ExitCode run(const RenderCommand& command) {
   check_settings(command.settings);
-  const std::vector<std::string> pictures = outputs_of(command);
-  check_outputs(pictures, command.stats_file);
+  const Outputs outputs(outputs_of(command), command.checkpoint_seconds != 0.0
+                                                 ? Outputs::Checkpoints::kept
+                                                 : Outputs::Checkpoints::none);
+  outputs.check();
+  if (!command.stats_file.empty()) image::OutputFile probe(command.stats_file);
 
   RunStatistics statistics;
   WarningLog warnings;
+  InputFiles files;
   ThreadPool pool(command.threads);
   statistics.threads = pool.threads();
   PhaseClock clock;
-  auto description = load_scene(command.scene, command.settings, warnings);
+  auto description = load_scene(command.scene, command.settings, warnings, &files);
   complete_scene(command.scene, description);
   statistics.size = description.render.size;
   render::check_size(statistics.size);
   statistics.seconds.load = clock.lap();
 
-  const scene::Scene scene =
-      scene::build(description, {statistics.size, pool, warnings, description.render.light_choice});
+  const scene::Scene scene = scene::build(
+      description, {statistics.size, pool, warnings, description.render.light_choice, &files});
   inspect::warn_about_averted_lights(description, warnings);
   inspect::warn_about_empty_solids(description, scene, warnings);
   inspect::warn_about_buried_camera(description, scene, warnings);
@@ -178,34 +178,43 @@ ExitCode run(const RenderCommand& command) {
 
   const film::Film::Settings film_settings{.width = statistics.size.width,
                                            .height = statistics.size.height,
-                                           .layers = layers_for(pictures),
+                                           .layers = outputs.layers(),
                                            .exposure_factor = description.film.exposure,
                                            .scene_size = scene.size()};
   render::check_memory(film_settings);
-  film::Film film(film_settings);
   const double cpu_seconds_before = process_cpu_seconds();
   const render::BlockRenderer renderer(scene, render::sample_settings(description.render),
-                                       {film.width(), film.height()}, pool);
+                                       {film_settings.width, film_settings.height}, pool);
   warn_about_caustics(renderer.caustics().state(), warnings);
   warn_about_maps(renderer.illumination(), warnings);
+  const render::Origin origin = origin_of(command, description, files);
+  Start start = start_of(command, outputs, origin, film_settings, renderer);
+  statistics.samples_before = start.canvas.film().pass_count();
   statistics.seconds.photons = clock.lap();
   print_warnings(warnings.take());
-  statistics.render = render_watched(command, renderer, description.render, film, pool);
+  if (command.progress != ProgressStyle::none) print_start(start, outputs);
+
+  std::optional<Checkpoints> checkpoints;
+  if (!outputs.checkpoint().empty()) {
+    checkpoints.emplace(outputs, origin, command.checkpoint_seconds);
+  }
+  const Work work{renderer, stop_rules_of(command, description.render), start.canvas};
+  statistics.render = render_watched(command, work, checkpoints ? &*checkpoints : nullptr, pool);
   statistics.render_cpu_seconds = process_cpu_seconds() - cpu_seconds_before;
-  statistics.samples_per_pixel = film.passes();
+  statistics.samples_per_pixel = start.canvas.picture().pass_count();
   statistics.seconds.render = clock.lap();
 
-  const image::LayeredImage picture = film::develop(film);
-  for (const std::string& path : pictures) {
-    image::write_image(path, picture, write_options(command, statistics, description));
-  }
+  const render::Ending ending = statistics.render.ending;
+  outputs.write(start.canvas, {origin, statistics.seconds.render}, ending);
+  const bool has_checkpoint =
+      start.from == Start::From::checkpoint || (checkpoints && checkpoints->has_written());
+  if (ending == render::Ending::complete && has_checkpoint) outputs.remove_checkpoint();
   statistics.seconds.write = clock.lap();
   if (!command.stats_file.empty()) write_text(command.stats_file, to_json(statistics));
-  warn_about_faults(statistics.render.tally.faults, warnings);
+  warn_about_faults(start.canvas.picture().faults(), warnings);
   print_warnings(warnings.take());
-  if (command.progress != ProgressStyle::none) print_summary(pictures, statistics);
-  return statistics.render.ending == render::Ending::complete ? ExitCode::done
-                                                              : ExitCode::interrupted;
+  if (command.progress != ProgressStyle::none) print_summary(outputs.pictures(), statistics);
+  return ending == render::Ending::complete ? ExitCode::done : ExitCode::interrupted;
 }
 
 }  // namespace lapidary::app

@@ -46,6 +46,7 @@ std::string to_json(const RunStatistics& s) {
       {"cpu_seconds", process_cpu_seconds()},
       {"render_cpu_seconds", s.render_cpu_seconds},
       {"samples_per_pixel", s.samples_per_pixel},
+      {"samples_before", s.samples_before},
       {"samples", tally.samples},
       {"rays", tally.counters.nearest_queries + tally.counters.occlusion_queries},
       {"photons",

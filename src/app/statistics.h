@@ -24,6 +24,7 @@ struct RunStatistics {
   description::PictureSize size;
   PhaseSeconds seconds;
   std::uint64_t samples_per_pixel = 0;
+  std::uint64_t samples_before = 0;  ///< of them, those that a checkpoint came with
   int threads = 0;
   double render_cpu_seconds = 0;  ///< processor time of the phase `render`
   render::Statistics render;

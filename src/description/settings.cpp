@@ -251,4 +251,11 @@ void apply_override(RenderSettings& render, FilmSettings& film, std::string_view
   }
 }
 
+std::vector<std::pair<std::string, std::string>> setting_texts(const RenderSettings& render,
+                                                               const FilmSettings& film) {
+  auto texts = render_declaration().texts(render);
+  for (auto& text : film_declaration().texts(film)) texts.push_back(std::move(text));
+  return texts;
+}
+
 }  // namespace lapidary::description

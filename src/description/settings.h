@@ -2,7 +2,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace lapidary::description {
 
@@ -92,5 +95,10 @@ void apply_render_override(RenderSettings& settings, std::string_view key, std::
 /// The same for the keys of both tables: "exposure" and "tone" are the film's.
 void apply_override(RenderSettings& render, FilmSettings& film, std::string_view key,
                     std::string_view value);
+
+/// Every key of both tables and its value as --render takes it, empty where there is none: what
+/// `apply_override` turns into the same settings.
+std::vector<std::pair<std::string, std::string>> setting_texts(const RenderSettings& render,
+                                                               const FilmSettings& film);
 
 }  // namespace lapidary::description

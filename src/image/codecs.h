@@ -52,11 +52,14 @@ Image read_jpeg(const Source& source);
 Image read_radiance(const Source& source);
 Image read_exr(const Source& source);
 LayeredImage read_exr_layers(const Source& source);
+std::optional<LayeredImage> read_exr_part(const Source& source, const std::string& name);
 
 void write_png(OutputFile& out, const RowSource& rows, const WriteOptions& options);
 void write_jpeg(OutputFile& out, const RowSource& rows, const WriteOptions& options);
 void write_radiance(OutputFile& out, const RowSource& rows, const WriteOptions& options);
 void write_exr(OutputFile& out, const Image& image, const WriteOptions& options);
 void write_exr(OutputFile& out, const LayeredImage& image, const WriteOptions& options);
+void write_exr(OutputFile& out, const LayeredImage& image, const Attachment& attachment,
+               const WriteOptions& options);
 
 }  // namespace lapidary::image

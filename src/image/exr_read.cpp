@@ -221,8 +221,8 @@ Metadata metadata_of(const Imf::Header& header) {
   return metadata;
 }
 
-LayeredImage read_first_part(const Source& source, Imf::MultiPartInputFile& file) {
-  const Imf::Header& header = file.header(0);
+LayeredImage read_whole_part(const Source& source, Imf::MultiPartInputFile& file, int index) {
+  const Imf::Header& header = file.header(index);
   if (is_deep(header)) throw file_error(source.file, "holds deep data, which are not read");
   check_samplings(source, header);
   const Window window = window_of(source, header);
@@ -231,7 +231,7 @@ LayeredImage read_first_part(const Source& source, Imf::MultiPartInputFile& file
   for (auto i = header.channels().begin(); i != header.channels().end(); ++i) {
     image.channels.push_back(empty_channel(i.name(), i.channel().type, pixels));
   }
-  Imf::InputPart part(file, 0);
+  Imf::InputPart part(file, index);
   read_blocks(part, window, [&](int y, int rows) {
     Imf::FrameBuffer frame;
     for (Channel& channel : image.channels) {
@@ -268,7 +268,17 @@ Image read_exr(const Source& source) {
 
 LayeredImage read_exr_layers(const Source& source) {
   return with_file(source,
-                   [&](Imf::MultiPartInputFile& file) { return read_first_part(source, file); });
+                   [&](Imf::MultiPartInputFile& file) { return read_whole_part(source, file, 0); });
+}
+
+std::optional<LayeredImage> read_exr_part(const Source& source, const std::string& name) {
+  return with_file(source, [&](Imf::MultiPartInputFile& file) -> std::optional<LayeredImage> {
+    for (int i = 0; i < file.parts(); ++i) {
+      const Imf::Header& header = file.header(i);
+      if (header.hasName() && header.name() == name) return read_whole_part(source, file, i);
+    }
+    return std::nullopt;
+  });
 }
 
 }  // namespace lapidary::image

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <OpenEXR/ImfChannelList.h>
@@ -6,7 +7,10 @@
 #include <OpenEXR/ImfDoubleAttribute.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfMultiPartOutputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfOutputPart.h>
+#include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <fmt/format.h>
@@ -61,7 +65,9 @@ class PlaneWriter {
     }
   }
 
-  void write(Imf::OutputFile& out, int height) {
+  /// To an OutputFile or an OutputPart.
+  template <typename Out>
+  void write(Out& out, int height) {
     for (int y = 0; y < height; y += block_rows) {
       const int rows = std::min(block_rows, height - y);
       Imf::FrameBuffer frame;
@@ -93,25 +99,62 @@ class PlaneWriter {
   std::vector<std::vector<half>> halves_;
 };
 
-void write_planes(OutputFile& out, int width, int height, std::span<const Plane> planes,
-                  const Metadata& metadata) {
-  const std::string file = out.path().string();
+Imf::Header header_of(const OutputFile& out, int width, int height, const WriteOptions& options) {
   Imf::Header header(width, height);
-  header.compression() = Imf::ZIP_COMPRESSION;
+  header.compression() =
+      options.compression == Compression::zip ? Imf::ZIP_COMPRESSION : Imf::NO_COMPRESSION;
   Imf::addChromaticities(header, Imf::Chromaticities());  // Rec. 709 with D65 is the default
-  add_metadata(header, file, metadata);
-  for (const Plane& plane : planes) header.channels().insert(plane.name, Imf::Channel(plane.type));
+  add_metadata(header, out.path().string(), options.metadata);
+  return header;
+}
 
+void add_channels(Imf::Header& header, std::span<const Plane> planes) {
+  for (const Plane& plane : planes) header.channels().insert(plane.name, Imf::Channel(plane.type));
+}
+
+/// `write(stream)` with OpenEXR's exceptions as Error.
+template <typename Write>
+void write_stream(OutputFile& out, const Write& write) {
   FileStream stream(out);
   try {
+    write(stream);
+  } catch (const Iex::BaseExc& failure) {
+    stream.rethrow();
+    throw file_error(out.path().string(), fmt::format("could not be written: {}", failure.what()));
+  }
+  stream.rethrow();
+}
+
+void write_planes(OutputFile& out, int width, int height, std::span<const Plane> planes,
+                  const WriteOptions& options) {
+  Imf::Header header = header_of(out, width, height, options);
+  add_channels(header, planes);
+  write_stream(out, [&](FileStream& stream) {
     // No threads: whoever calls has its own, and the bytes are to be the same for any number.
     Imf::OutputFile exr(stream, header, 0);
     PlaneWriter(width, planes).write(exr, height);
-  } catch (const Iex::BaseExc& failure) {
-    stream.rethrow();
-    throw file_error(file, fmt::format("could not be written: {}", failure.what()));
+  });
+}
+
+void write_attachment(Imf::OutputPart& part, const Attachment& attachment) {
+  const auto width = static_cast<std::size_t>(attachment.width);
+  std::vector<std::vector<std::uint32_t>> blocks(attachment.channels.size());
+  for (auto& block : blocks) block.resize(width * block_rows);
+  for (int y = 0; y < attachment.height; y += block_rows) {
+    const int rows = std::min(block_rows, attachment.height - y);
+    Imf::FrameBuffer frame;
+    for (std::size_t c = 0; c < blocks.size(); ++c) {
+      for (int row = 0; row < rows; ++row) {
+        attachment.channels[c].read(
+            y + row, std::span(blocks[c]).subspan(static_cast<std::size_t>(row) * width, width));
+      }
+      frame.insert(
+          attachment.channels[c].name,
+          Imf::Slice::Make(Imf::UINT, blocks[c].data(), Imath::V2i(0, y), attachment.width, rows));
+    }
+    part.setFrameBuffer(frame);
+    part.writePixels(rows);
   }
-  stream.rethrow();
 }
 
 Plane plane_of(const Channel& channel) {
@@ -120,6 +163,12 @@ Plane plane_of(const Channel& channel) {
   }
   const Imf::PixelType type = channel.precision == Precision::half ? Imf::HALF : Imf::FLOAT;
   return {channel.name, type, std::get<std::vector<float>>(channel.samples).data(), 1};
+}
+
+std::vector<Plane> planes_of(const LayeredImage& image) {
+  std::vector<Plane> planes;
+  for (const Channel& channel : image.channels) planes.push_back(plane_of(channel));
+  return planes;
 }
 
 }  // namespace
@@ -134,13 +183,34 @@ void write_exr(OutputFile& out, const Image& image, const WriteOptions& options)
     planes.push_back(
         {names[c], type, image.pixels.data() + c, static_cast<std::size_t>(image.channels)});
   }
-  write_planes(out, image.width, image.height, planes, options.metadata);
+  write_planes(out, image.width, image.height, planes, options);
 }
 
 void write_exr(OutputFile& out, const LayeredImage& image, const WriteOptions& options) {
-  std::vector<Plane> planes;
-  for (const Channel& channel : image.channels) planes.push_back(plane_of(channel));
-  write_planes(out, image.width, image.height, planes, options.metadata);
+  write_planes(out, image.width, image.height, planes_of(image), options);
+}
+
+void write_exr(OutputFile& out, const LayeredImage& image, const Attachment& attachment,
+               const WriteOptions& options) {
+  const std::vector<Plane> planes = planes_of(image);
+  Imf::Header picture = header_of(out, image.width, image.height, options);
+  add_channels(picture, planes);
+  picture.setName("picture");
+  WriteOptions attached = options;
+  attached.metadata = attachment.metadata;
+  Imf::Header second = header_of(out, attachment.width, attachment.height, attached);
+  for (const Attachment::Channel& channel : attachment.channels) {
+    second.channels().insert(channel.name, Imf::Channel(Imf::UINT));
+  }
+  second.setName(attachment.name);
+  std::array<Imf::Header, 2> headers = {picture, second};
+  for (Imf::Header& header : headers) header.setType(Imf::SCANLINEIMAGE);
+  write_stream(out, [&](FileStream& stream) {
+    Imf::MultiPartOutputFile exr(stream, headers.data(), 2, false, 0);
+    Imf::OutputPart first_part(exr, 0), second_part(exr, 1);
+    PlaneWriter(image.width, planes).write(first_part, image.height);
+    write_attachment(second_part, attachment);
+  });
 }
 
 }  // namespace lapidary::image

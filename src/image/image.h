@@ -75,8 +75,7 @@ using Metadata = std::vector<Attribute>;
 /// The value as text: a number in the fewest digits that read back as the same number.
 std::string to_text(const Attribute& attribute);
 
-/// What a renderer knows of a picture, and what one part of an OpenEXR file holds. A file of
-/// several parts, such as a picture and the exact sums behind it, is several of these.
+/// What a renderer knows of a picture, and what one part of an OpenEXR file holds.
 struct LayeredImage {
   int width = 0;
   int height = 0;

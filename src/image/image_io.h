@@ -2,8 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "base/input_files.h"
 #include "image/image.h"
 #include "image/tone.h"
 
@@ -27,7 +32,8 @@ enum class Alpha {
 struct ReadOptions {
   ColorSpace color_space = ColorSpace::automatic;
   Alpha alpha = Alpha::drop;
-  std::string layer;  ///< of an OpenEXR file; empty is the beauty, the channels R, G, B
+  std::string layer;            ///< of an OpenEXR file; empty is the beauty, the channels R, G, B
+  InputFiles* files = nullptr;  ///< where it is noted that the file was read; null: nowhere
 };
 
 /// Reads a picture as linear float RGB(A). The format follows from the content, not the name.
@@ -45,10 +51,36 @@ Image read_image(const std::filesystem::path& path, const ReadOptions& options =
 /// and those of its attributes that are text or numbers and not part of the format, sorted by name.
 LayeredImage read_layers(const std::filesystem::path& path);
 
+/// Reads the part of an OpenEXR file that has this name, whole; nothing where there is none.
+/// Throws Error for a file that is no whole OpenEXR.
+std::optional<LayeredImage> read_part(const std::filesystem::path& path, const std::string& name);
+
+/// How an OpenEXR file is packed.
+enum class Compression {
+  zip,
+  none,  ///< larger, and written several times as fast
+};
+
+/// What travels in the file of a picture as a second part, which viewers pass over: whole numbers
+/// for each pixel, as many kinds of them as there are channels.
+struct Attachment {
+  struct Channel {
+    std::string name;
+    /// Fills row `y`.
+    std::function<void(int y, std::span<std::uint32_t> row)> read;
+  };
+  std::string name;  ///< of the part
+  int width = 0;
+  int height = 0;
+  std::vector<Channel> channels;
+  Metadata metadata;
+};
+
 struct WriteOptions {
   Metadata metadata;  ///< for PNG, OpenEXR, Radiance; JPEG carries none
   Display display;    ///< for PNG and JPEG; the others hold the linear light itself
-  Precision precision = Precision::half;  ///< of an OpenEXR file made from an Image
+  Precision precision = Precision::half;       ///< of an OpenEXR file made from an Image
+  Compression compression = Compression::zip;  ///< of an OpenEXR file
 };
 
 /// Writes linear light; the extension says the format (file_format.h).
@@ -65,6 +97,11 @@ void write_image(const std::filesystem::path& path, const Image& image,
 /// Throws Error if a channel has not width * height samples, or names are empty or not unique.
 void write_image(const std::filesystem::path& path, const LayeredImage& image,
                  const WriteOptions& options = {});
+
+/// The same to .exr, with `attachment` as a second part: the first one, called "picture", is what
+/// programs show that know nothing of the other.
+void write_image(const std::filesystem::path& path, const LayeredImage& image,
+                 const Attachment& attachment, const WriteOptions& options = {});
 
 /// Throws the Error that `write_image` to this path would throw for its name, folder or
 /// permissions; for calling before the hours of work whose result goes there. Leaves no trace.

@@ -54,6 +54,21 @@ void check_folder(const fs::path& path, const fs::path& folder) {
   }
 }
 
+/// A file without a name, which is gone if the process ends however it ends; below 0 where the
+/// system or the file system has none.
+int open_nameless(const fs::path& folder) {
+  if (::access("/proc/self/fd", F_OK) != 0) return -1;  // where it could not be given a name later
+  return ::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+}
+
+/// Writes the folder's new entry to the disk, where file systems can.
+void sync_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;  // it may be written and not read
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
 }  // namespace
 
 OutputFile::OutputFile(const fs::path& path) : path_(path), target_(path) {
@@ -64,8 +79,11 @@ OutputFile::OutputFile(const fs::path& path) : path_(path), target_(path) {
   check_folder(path_, folder);
   check_target(path_, target_);
 
-  const fs::path temporary = folder / temporary_name();
-  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  int descriptor = open_nameless(folder);
+  if (descriptor < 0) {
+    temporary_ = folder / temporary_name();
+    descriptor = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  }
   if (descriptor < 0) {
     const int reason = errno;
     throw file_error(
@@ -73,12 +91,11 @@ OutputFile::OutputFile(const fs::path& path) : path_(path), target_(path) {
         fmt::format("cannot write in the folder '{}': {}", folder.string(), std::strerror(reason)),
         "choose another folder");
   }
-  temporary_ = temporary;
   file_.reset(::fdopen(descriptor, "wb"));
   if (!file_) {
     const int reason = errno;
     ::close(descriptor);
-    ::unlink(temporary_.c_str());
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
     fail(reason);
   }
 }
@@ -103,9 +120,20 @@ void OutputFile::seek(std::uint64_t position) {
 void OutputFile::commit() {
   // Without fsync a machine that loses power can keep the new name with none of the bytes.
   if (std::fflush(file_.get()) != 0 || ::fsync(::fileno(file_.get())) != 0) fail(errno);
+  if (temporary_.empty()) give_name();
   if (std::fclose(file_.release()) != 0) fail(errno);
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.clear();
+  sync_folder(folder_of(target_));
+}
+
+void OutputFile::give_name() {
+  const fs::path name = folder_of(target_) / temporary_name();
+  const std::string open_file = fmt::format("/proc/self/fd/{}", ::fileno(file_.get()));
+  if (::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) {
+    fail(errno);
+  }
+  temporary_ = name;
 }
 
 void OutputFile::fail(int error_number) const {

@@ -10,9 +10,10 @@ namespace lapidary::image {
 
 /// A file that appears under its name complete or not at all.
 ///
-/// The bytes go to a temporary file in the same folder; `commit` gives it the name, in one step
-/// that replaces a file already there. Without `commit` the temporary file is removed and
-/// whatever had the name is untouched. A symbolic link is followed, not replaced.
+/// The bytes go to a temporary file in the same folder, without a name where the file system has
+/// such files, so that nothing is left of it whatever ends the process; `commit` gives it the name,
+/// in one step that replaces a file already there. Without `commit` the temporary file is removed
+/// and whatever had the name is untouched. A symbolic link is followed, not replaced.
 /// Every failure throws Error with the path and the reason.
 class OutputFile {
  public:
@@ -35,6 +36,8 @@ class OutputFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
+  /// One for the moment, in the target's folder.
+  void give_name();
   [[noreturn]] void fail(int error_number) const;
 
   std::filesystem::path path_;       ///< as the user gave it

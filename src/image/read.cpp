@@ -50,6 +50,12 @@ FileFormat content_format(const Source& source) {
                    "PNG, JPEG, Radiance (.hdr) and OpenEXR can be read");
 }
 
+void check_has_parts(const Source& source, FileFormat format) {
+  if (format == FileFormat::exr) return;
+  throw file_error(source.file, fmt::format("is a {} file, which has no layers", name_of(format)),
+                   "an OpenEXR file is needed");
+}
+
 /// `decode(source, format)` of the file's content, with memory that runs out as an Error.
 template <typename Decode>
 auto decode_file(const std::filesystem::path& path, const ReadOptions& options,
@@ -57,6 +63,7 @@ auto decode_file(const std::filesystem::path& path, const ReadOptions& options,
   const std::string file = path.string();
   try {
     const std::vector<std::byte> bytes = file_bytes(file);
+    if (options.files) options.files->add(path, bytes);
     const Source source{file, bytes, options};
     return decode(source, content_format(source));
   } catch (const std::bad_alloc&) {
@@ -84,12 +91,15 @@ Image read_image(const std::filesystem::path& path, const ReadOptions& options) 
 
 LayeredImage read_layers(const std::filesystem::path& path) {
   return decode_file(path, {}, [](const Source& source, FileFormat format) {
-    if (format != FileFormat::exr) {
-      throw file_error(source.file,
-                       fmt::format("is a {} file, which has no layers", name_of(format)),
-                       "an OpenEXR file is needed");
-    }
+    check_has_parts(source, format);
     return read_exr_layers(source);
+  });
+}
+
+std::optional<LayeredImage> read_part(const std::filesystem::path& path, const std::string& name) {
+  return decode_file(path, {}, [&name](const Source& source, FileFormat format) {
+    check_has_parts(source, format);
+    return read_exr_part(source, name);
   });
 }
 

@@ -40,6 +40,13 @@ void check_size(const std::string& file, int width, int height) {
   }
 }
 
+void check_channel_name(const std::string& file, const std::string& name,
+                        std::set<std::string_view>& names) {
+  if (!name.empty() && name.size() <= 255 && names.insert(name).second) return;
+  throw file_error(file, fmt::format("the channel name '{}' cannot be written", name),
+                   "names are 1 to 255 characters and each is used once");
+}
+
 void check_image(const std::string& file, const Image& image) {
   check_size(file, image.width, image.height);
   if (image.channels != 1 && image.channels != 3 && image.channels != 4) {
@@ -60,15 +67,19 @@ void check_image(const std::string& file, const LayeredImage& image) {
   const std::size_t pixels = static_cast<std::size_t>(image.width) * image.height;
   std::set<std::string_view> names;
   for (const Channel& channel : image.channels) {
-    if (channel.name.empty() || channel.name.size() > 255 || !names.insert(channel.name).second) {
-      throw file_error(file, fmt::format("the channel name '{}' cannot be written", channel.name),
-                       "names are 1 to 255 characters and each is used once");
-    }
+    check_channel_name(file, channel.name, names);
     if (sample_count(channel) != pixels) {
       throw file_error(file, fmt::format("channel {} has {} samples, the picture has {} pixels",
                                          channel.name, sample_count(channel), pixels));
     }
   }
+}
+
+void check_attachment(const std::string& file, const Attachment& attachment) {
+  check_size(file, attachment.width, attachment.height);
+  std::set<std::string_view> names;
+  for (const auto& channel : attachment.channels) check_channel_name(file, channel.name, names);
+  check_metadata(file, attachment.metadata);
 }
 
 RowSource rows_of(const Image& image) {
@@ -140,6 +151,22 @@ void write_image(const std::filesystem::path& path, const LayeredImage& image,
   } else {
     write_rows(out, format, rows_of(path.string(), image), merged);
   }
+  out.commit();
+}
+
+void write_image(const std::filesystem::path& path, const LayeredImage& image,
+                 const Attachment& attachment, const WriteOptions& options) {
+  if (format_of_name(path) != FileFormat::exr) {
+    throw file_error(path.string(), "is of a format that has no room for a second part",
+                     "OpenEXR (.exr) has");
+  }
+  check_image(path.string(), image);
+  check_attachment(path.string(), attachment);
+  WriteOptions merged = options;
+  merged.metadata.insert(merged.metadata.begin(), image.metadata.begin(), image.metadata.end());
+  check_metadata(path.string(), merged.metadata);
+  OutputFile out(path);
+  write_exr(out, image, attachment, merged);
   out.commit();
 }
 

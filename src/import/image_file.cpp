@@ -49,7 +49,9 @@ std::shared_ptr<const texture::Pyramid> ImageFiles::read(const std::filesystem::
                                                          const PictureOptions& options) {
   auto& pyramid = read_[{file, options}];
   if (pyramid) return pyramid;
-  Image picture = image::read_image(file, reading(options));
+  image::ReadOptions how = reading(options);
+  how.files = files_;
+  Image picture = image::read_image(file, how);
   if (options.channel != PictureChannel::color) picture = one_channel(picture, options.channel);
   check_finite(picture, file);
   if (options.space == PictureSpace::srgb) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/input_files.h"
 #include "texture/pyramid.h"
 
 namespace lapidary::import {
@@ -29,6 +30,9 @@ struct PictureOptions {
 /// Reads pictures for textures; one that is asked for again in the same way is shared.
 class ImageFiles {
  public:
+  /// `files` notes what is read; null: nobody wants to know.
+  explicit ImageFiles(InputFiles* files = nullptr) : files_(files) {}
+
   /// Throws Error when the file is no whole picture, or has numbers that are not finite.
   std::shared_ptr<const texture::Pyramid> read(const std::filesystem::path& file,
                                                const PictureOptions& options);
@@ -37,6 +41,7 @@ class ImageFiles {
   std::size_t bytes() const { return bytes_; }
 
  private:
+  InputFiles* files_;
   std::map<std::pair<std::filesystem::path, PictureOptions>,
            std::shared_ptr<const texture::Pyramid>>
       read_;

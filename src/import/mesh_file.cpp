@@ -34,8 +34,8 @@ description::ObjectPtr MeshFiles::read(const std::filesystem::path& file,
     throw file_error(file.string(), "is of no kind of mesh that can be read",
                      "this version reads .obj");
   }
-  ObjScene obj =
-      read_obj(file, {.warnings = warnings_, .allow = allow_, .normals = options.normals});
+  ObjScene obj = read_obj(
+      file, {.warnings = warnings_, .allow = allow_, .files = files_, .normals = options.normals});
   description::Mesh mesh;
   // What no file defines (no `newmtl` line) is left for the object's own material to fill.
   const MtlReading reading{warnings_, images_, allow_};

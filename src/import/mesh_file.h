@@ -30,10 +30,11 @@ std::shared_ptr<const Transform> upright(UpAxis up);
 class MeshFiles {
  public:
   /// `warnings` may be null. `allow` says which files a mesh file may refer to; empty: any.
-  /// Pictures come through `images`, which must outlive this; null: materials have none.
+  /// Pictures come through `images`, which must outlive this; null: materials have none. `files`
+  /// notes what is read of meshes and materials, and may be null.
   explicit MeshFiles(WarningLog* warnings = nullptr, AllowFile allow = {},
-                     ImageFiles* images = nullptr)
-      : warnings_(warnings), allow_(std::move(allow)), images_(images) {}
+                     ImageFiles* images = nullptr, InputFiles* files = nullptr)
+      : warnings_(warnings), allow_(std::move(allow)), images_(images), files_(files) {}
 
   /// The file as an object with its materials, called like the file and standing upright. Throws
   /// Error when it cannot be read or has no triangles.
@@ -43,6 +44,7 @@ class MeshFiles {
   WarningLog* warnings_;
   AllowFile allow_;
   ImageFiles* images_;
+  InputFiles* files_;
   std::map<std::pair<std::filesystem::path, MeshOptions>, description::ObjectPtr> read_;
 };
 

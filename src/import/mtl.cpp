@@ -259,8 +259,9 @@ void MtlParser::texture(MtlChannel channel, Location where) {
 
 }  // namespace
 
-std::vector<MtlMaterial> read_mtl(const std::filesystem::path& file, WarningLog* warnings) {
-  return MtlParser(file, warnings).parse(TextBlocks::of_file(file));
+std::vector<MtlMaterial> read_mtl(const std::filesystem::path& file, WarningLog* warnings,
+                                  InputFiles* files) {
+  return MtlParser(file, warnings).parse(TextBlocks::of_file(file, files));
 }
 
 std::vector<MtlMaterial> parse_mtl(std::string_view text, const std::filesystem::path& file,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/input_files.h"
 #include "base/log.h"
 #include "math/vec.h"
 #include "spectrum/wavelengths.h"
@@ -71,9 +72,11 @@ struct MtlMaterial {
 };
 
 /// The materials of an MTL file, in its order. Statements that mean nothing here are ignored;
-/// colours given as spectra or in XYZ are reported to `warnings`, if not null. Throws Error when
-/// the file cannot be read, and for a number that is missing, malformed or not finite.
-std::vector<MtlMaterial> read_mtl(const std::filesystem::path& file, WarningLog* warnings);
+/// colours given as spectra or in XYZ are reported to `warnings`, and that the file was read to
+/// `files`, if not null. Throws Error when the file cannot be read, and for a number that is
+/// missing, malformed or not finite.
+std::vector<MtlMaterial> read_mtl(const std::filesystem::path& file, WarningLog* warnings,
+                                  InputFiles* files = nullptr);
 
 /// The same for a text; `file` names it in messages and is where textures are relative to.
 std::vector<MtlMaterial> parse_mtl(std::string_view text, const std::filesystem::path& file,

@@ -50,7 +50,7 @@ ObjScene build(TextBlocks blocks, const fs::path& file, const ObjOptions& option
 }  // namespace
 
 ObjScene read_obj(const fs::path& file, const ObjOptions& options) {
-  return build(TextBlocks::of_file(file), file, options);
+  return build(TextBlocks::of_file(file, options.files), file, options);
 }
 
 ObjScene parse_obj(std::string_view text, const fs::path& file, const ObjOptions& options) {

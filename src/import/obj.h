@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/input_files.h"
 #include "base/log.h"
 #include "geometry/triangle_mesh.h"
 #include "import/find_file.h"
@@ -26,6 +27,7 @@ enum class ObjNormals : std::uint8_t {
 struct ObjOptions {
   WarningLog* warnings = nullptr;  ///< null: nobody wants to know
   AllowFile allow;                 ///< which material files (mtllib) may be read
+  InputFiles* files = nullptr;     ///< notes what is read; null: nobody wants to know
   ObjNormals normals = ObjNormals::automatic;
   /// Degrees between the normals of two faces, beyond which their edge is sharp. At 55 the corners
   /// of boxes and of six-sided prisms are sharp, eight-sided ones are round.

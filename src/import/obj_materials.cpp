@@ -81,7 +81,7 @@ class MaterialLibrary {
       return;
     }
     if (!seen_.insert(file.path).second) return;
-    for (MtlMaterial& material : read_mtl(file.path, options_.warnings)) {
+    for (MtlMaterial& material : read_mtl(file.path, options_.warnings, options_.files)) {
       if (!index_.try_emplace(material.name, materials_.size()).second) {
         warn(options_, material.where,
              fmt::format("material '{}' is defined again; the first one counts", material.name));

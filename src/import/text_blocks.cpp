@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -18,7 +19,7 @@ constexpr std::size_t padding = closing.size() + 1;
 
 }  // namespace
 
-TextBlocks TextBlocks::of_file(const std::filesystem::path& file) {
+TextBlocks TextBlocks::of_file(const std::filesystem::path& file, InputFiles* files) {
   TextBlocks blocks;
   blocks.name_ = file.string();
   blocks.file_.reset(std::fopen(file.c_str(), "rb"));
@@ -31,6 +32,7 @@ TextBlocks TextBlocks::of_file(const std::filesystem::path& file) {
   }
   std::setvbuf(blocks.file_.get(), nullptr, _IONBF, 0);
   blocks.buffer_.resize(block_size + padding);
+  blocks.files_ = files;
   return blocks;
 }
 
@@ -68,12 +70,14 @@ void TextBlocks::fill() {
   begin_ = 0;
   const std::size_t space = buffer_.size() - padding - end_;
   const std::size_t count = std::fread(buffer_.data() + end_, 1, space, file_.get());
+  if (files_) hash_.add(std::as_bytes(std::span(buffer_).subspan(end_, count)));
   end_ += count;
   if (count == space) return;
   if (std::ferror(file_.get())) {
     throw file_error(name_, fmt::format("cannot be read: {}", std::strerror(errno)));
   }
   file_.reset();
+  if (files_) files_->add(name_, hash_.finish());
   std::copy(closing.begin(), closing.end(), buffer_.begin() + static_cast<std::ptrdiff_t>(end_));
   end_ += closing.size();
   buffer_[end_] = '\0';

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/input_files.h"
+
 namespace lapidary::import {
 
 /// A text as a sequence of blocks of whole lines, so that a file of any size takes little memory.
@@ -16,8 +18,9 @@ namespace lapidary::import {
 /// ends alone. One character after each block may be read.
 class TextBlocks {
  public:
-  /// Throws Error when `file` cannot be opened.
-  static TextBlocks of_file(const std::filesystem::path& file);
+  /// Once `file` has been read to its end, `files` is told; it may be null. Throws Error when it
+  /// cannot be opened.
+  static TextBlocks of_file(const std::filesystem::path& file, InputFiles* files = nullptr);
   static TextBlocks of_text(std::string_view text);
 
   /// The next block, valid until the next call; empty at the end. Throws Error when the file
@@ -37,6 +40,8 @@ class TextBlocks {
 
   std::string name_;
   std::unique_ptr<std::FILE, Close> file_;  // null at the end
+  InputFiles* files_ = nullptr;
+  Sha256 hash_;  // of the file so far, if `files_` is to know
   std::vector<char> buffer_;
   std::size_t begin_ = 0;  // of what was not handed out yet
   std::size_t end_ = 0;    // of what was read

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -209,7 +210,7 @@ PhotometricWeb parse_ies(std::string_view text, const std::string& file) {
   return PhotometricWeb(table);
 }
 
-PhotometricWeb read_ies(const std::filesystem::path& file) {
+PhotometricWeb read_ies(const std::filesystem::path& file, InputFiles* files) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw file_error(file.string(), "the file cannot be read");
   constexpr std::uintmax_t most_bytes = 64 << 20;
@@ -218,6 +219,7 @@ PhotometricWeb read_ies(const std::filesystem::path& file) {
     throw file_error(file.string(), "the file is too large for an IES profile");
   }
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (files) files->add(file, std::as_bytes(std::span(text)));
   return parse_ies(text, file.string());
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/input_files.h"
 #include "light/photometric_web.h"
 
 namespace lapidary::light {
@@ -13,8 +14,9 @@ namespace lapidary::light {
 /// and ballast factors. What the file says about tilted lamps is passed over: the lamp is taken to
 /// burn as it did when it was measured.
 ///
-/// Throws Error, with the line, for files that cannot be used.
-PhotometricWeb read_ies(const std::filesystem::path& file);
+/// `files`, if not null, notes that it was read. Throws Error, with the line, for files that cannot
+/// be used.
+PhotometricWeb read_ies(const std::filesystem::path& file, InputFiles* files = nullptr);
 /// The same of a file's text; `file` is for messages.
 PhotometricWeb parse_ies(std::string_view text, const std::string& file);
 

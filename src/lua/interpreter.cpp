@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <new>
+#include <span>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -46,8 +47,8 @@ int on_panic(lua_State*) {
 }  // namespace
 
 Interpreter::Interpreter(const Limits& limits, FolderGuard files,
-                         std::function<void(std::string_view)> print)
-    : budget_(limits), files_(std::move(files)), print_(std::move(print)) {
+                         std::function<void(std::string_view)> print, InputFiles* read)
+    : budget_(limits), files_(std::move(files)), print_(std::move(print)), read_(read) {
   L_ = lua_newstate(Budget::allocate, &budget_);
   if (!L_) throw std::bad_alloc();
   lua_atpanic(L_, on_panic);
@@ -93,6 +94,7 @@ void Interpreter::rethrow(int status) {
 void Interpreter::push_chunk(lua_State* L, const std::filesystem::path& file,
                              const std::string& shown) {
   std::string text = read_text(file, shown);
+  if (read_) read_->add(file, std::as_bytes(std::span(text)));
   clean_start(text);
   chunk_files_.push_back(file);
   const std::string chunk = sources_.add(shown);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/input_files.h"
 #include "base/log.h"
 #include "lua/budget.h"
 #include "lua/errors.h"
@@ -26,7 +27,9 @@ namespace lapidary::lua {
 /// find it through their lua_State.
 class Interpreter {
  public:
-  Interpreter(const Limits& limits, FolderGuard files, std::function<void(std::string_view)> print);
+  /// `read` notes the files that are read as Lua; it may be null.
+  Interpreter(const Limits& limits, FolderGuard files, std::function<void(std::string_view)> print,
+              InputFiles* read);
   ~Interpreter();
   Interpreter(const Interpreter&) = delete;
   Interpreter& operator=(const Interpreter&) = delete;
@@ -74,6 +77,7 @@ class Interpreter {
   SourceFiles sources_;
   FolderGuard files_;
   std::function<void(std::string_view)> print_;
+  InputFiles* read_;
   schema::ValueArena arena_;
   std::vector<std::filesystem::path> chunk_files_;
   std::vector<std::filesystem::path> modules_being_read_;

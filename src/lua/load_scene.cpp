@@ -72,12 +72,13 @@ LoadedScene load_scene(const fs::path& scene, const LoadOptions& options) {
   check_exists(scene);
   Parameters parameters(options.settings);
   const FolderGuard guard(scene.parent_path(), options.allowed);
-  ImageFiles images;
+  ImageFiles images(options.files);
   MeshFiles meshes(
-      options.warnings, [&guard](const fs::path& file) { return guard.allows(file); }, &images);
+      options.warnings, [&guard](const fs::path& file) { return guard.allows(file); }, &images,
+      options.files);
   const auto kinds = node_kinds(meshes, images);
   const NodeMethods methods;
-  Interpreter interpreter(options.limits, guard, options.print);
+  Interpreter interpreter(options.limits, guard, options.print, options.files);
   SceneDescription description;
   interpreter.run([&](lua_State* L) {
     open_nodes(L, kinds, methods);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/input_files.h"
 #include "base/log.h"
 #include "description/scene_description.h"
 #include "lua/limits.h"
@@ -21,6 +22,7 @@ struct LoadOptions {
   /// Folders and files that the scene may read besides its own folder.
   std::vector<std::filesystem::path> allowed;
   WarningLog* warnings = nullptr;               ///< null: nobody wants to know
+  InputFiles* files = nullptr;                  ///< notes what is read; null: nobody wants to know
   std::function<void(std::string_view)> print;  ///< takes the lines the scene prints; may be empty
   Limits limits;
   double frame = 1;  ///< the global `frame`

@@ -62,18 +62,19 @@ film::PixelSample BlockRenderer::sample_pixel(Vec2d size, int x, int y, const Pa
           static_cast<float>(first.depth), first.object};
 }
 
-void BlockRenderer::render_pixel(int x, int y, std::span<const Pass> passes, const SampleMap& map,
-                                 film::Film& film, BlockTally& tally) const {
+film::PixelSums BlockRenderer::sum_pixel(int x, int y, std::span<const Pass> passes,
+                                         const SampleMap& map, const film::Film& film,
+                                         BlockTally& tally) const {
   const Vec2d size{static_cast<double>(film.width()), static_cast<double>(film.height())};
   film::PixelSums sums;
   for (const Pass& pass : passes) {
     const auto [first, count] = map.at(x, y, pass.index);
     for (std::uint32_t i = first; i < first + count; ++i) {
-      film.add(sample_pixel(size, x, y, pass, i, tally.counters), i, sums, tally.faults);
+      film.add(sample_pixel(size, x, y, pass, i, tally.counters), sums, tally.faults);
     }
     tally.samples += count;
   }
-  film.add_block(x, y, sums);
+  return sums;
 }
 
 std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, const SampleMap& map,
@@ -106,14 +107,14 @@ BlockTally BlockRenderer::render(PassRange range, const SampleMap& map, film::Fi
       const int y0 = static_cast<int>(tile / static_cast<std::size_t>(columns)) * tile_;
       for (int y = y0; y < std::min(y0 + tile_, film.height()); ++y) {
         for (int x = x0; x < std::min(x0 + tile_, film.width()); ++x) {
-          render_pixel(x, y, passes, map, film, tally);
+          film.add_block(range, x, y, sum_pixel(x, y, passes, map, film, tally));
         }
       }
     }
     const std::lock_guard lock(mutex);
     total += tally;
   });
-  film.finish_block(range.size());
+  film.finish_block(range, total.faults);
   return total;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "film/film.h"
+#include "film/pass_set.h"
 #include "render/sample_plan.h"
 #include "sampling/filter.h"
 #include "scene/scene.h"
@@ -14,15 +15,10 @@
 
 namespace lapidary::render {
 
-/// A half-open range of passes over the whole picture: the unit of progress, of stopping, and of
-/// anything that renders part of a picture. A pass is at least one camera sample for every pixel.
-struct PassRange {
-  std::uint32_t begin = 0;
-  std::uint32_t end = 0;
-  std::uint32_t size() const { return end - begin; }
-};
+using film::PassRange;
 
-/// How many passes a block has: few enough that a large picture still stops soon.
+/// How many passes a block has: few enough that a large picture still stops soon. Blocks begin at
+/// the multiples of it.
 constexpr std::uint32_t passes_per_block(int width, int height) {
   return static_cast<std::int64_t>(width) * height <= 2'000'000 ? 4 : 1;
 }
@@ -77,6 +73,8 @@ class BlockRenderer {
 
   const transport::Caustics& caustics() const { return caustics_; }
   Sampling sampling() const { return settings_.sampling; }
+  /// What adaptive sampling has to know of the photons.
+  PhotonShare photon_share() const { return {caustics_.share().cost, caustics_.share().error}; }
   /// Null unless paths end in maps.
   const transport::IlluminationMaps* illumination() const { return maps_ ? &*maps_ : nullptr; }
 
@@ -92,8 +90,8 @@ class BlockRenderer {
   struct Pass;
   std::vector<Pass> prepare(PassRange range, const SampleMap& map, ThreadPool& pool,
                             BlockTally& tally) const;
-  void render_pixel(int x, int y, std::span<const Pass> passes, const SampleMap& map,
-                    film::Film& film, BlockTally& tally) const;
+  film::PixelSums sum_pixel(int x, int y, std::span<const Pass> passes, const SampleMap& map,
+                            const film::Film& film, BlockTally& tally) const;
   film::PixelSample sample_pixel(Vec2d size, int x, int y, const Pass& pass, std::uint32_t number,
                                  transport::Counters& counters) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -61,49 +62,67 @@ FilterSampler filter_sampler(const description::FilterSettings& filter) {
 /// Keeps the state of one render between its blocks.
 class Run {
  public:
-  Run(const StopRules& rules, const film::Film& film) : rules_(rules), film_(film) {}
+  Run(const StopRules& rules, const Canvas& canvas)
+      : rules_(rules),
+        canvas_(canvas),
+        passes_before_(canvas.film().pass_count()),
+        noise_(canvas.film().noise()) {}
 
-  void count_samples(std::uint64_t samples) { samples_ += samples; }
-
-  bool finished() const {
-    if (film_.passes() == 0) return false;
-    if (rules_.samples && film_.passes() >= *rules_.samples) return true;
-    if (rules_.noise && noise_ <= *rules_.noise) return true;
-    // Half a block more or less: whichever comes closer to the time that was asked for.
-    return rules_.seconds && watch_.seconds() + 0.5 * block_seconds_ >= *rules_.seconds;
+  /// The passes to render next, which are fewer than a block where the samples asked for end;
+  /// none at the end.
+  PassRange next_passes() const {
+    const film::Film& film = canvas_.film();
+    const std::uint32_t from = rules_.only ? rules_.only->begin : 0;
+    const std::uint32_t begin = film.passes().first_missing(from);
+    const std::uint32_t end = begin + passes_per_block(film.width(), film.height());
+    const PassRange passes{begin, std::min(end, last_pass().value_or(end))};
+    return limit_is_met() ? PassRange() : passes;
+  }
+  bool is_whole_block(const PassRange& passes) const {
+    return is_of_whole_blocks(passes, canvas_.film().width(), canvas_.film().height());
   }
 
-  PassRange next_block() const {
-    const auto begin = static_cast<std::uint32_t>(film_.passes());
-    const std::uint32_t size = passes_per_block(film_.width(), film_.height());
-    const std::uint32_t end = begin + size;
-    return {begin, rules_.samples ? std::min(end, *rules_.samples) : end};
+  void block_done(std::uint64_t samples) {
+    samples_ += samples;
+    last_ = watch_.seconds();
+    block_seconds_ = last_ - block_begin_;
+    noise_ = canvas_.picture().noise();
   }
-
-  void block_done() {
-    const double now = watch_.seconds();
-    block_seconds_ = now - last_;
-    last_ = now;
-    noise_ = film_.noise();
-  }
+  /// What was done between two blocks is no part of their time.
+  void begin_block() { block_begin_ = watch_.seconds(); }
 
   Progress progress() const {
     const auto samples = static_cast<double>(samples_);
-    return {film_.passes(), rules_.samples, last_, last_ > 0 ? samples / last_ : 0.0,
-            noise_,         seconds_left()};
+    std::optional<std::uint32_t> planned = rules_.samples;
+    if (rules_.only) planned = rules_.only->size();
+    return {canvas_.picture().pass_count(),    planned, last_,
+            last_ > 0 ? samples / last_ : 0.0, noise_,  seconds_left()};
   }
 
   double seconds() const { return watch_.seconds(); }
   double noise() const { return noise_; }
 
  private:
+  std::optional<std::uint32_t> last_pass() const {
+    return rules_.only ? rules_.only->end : rules_.samples;
+  }
+
+  /// Whether noise or time say stop.
+  bool limit_is_met() const {
+    if (canvas_.film().passes().is_empty()) return false;
+    if (rules_.noise && noise_ <= *rules_.noise) return true;
+    // Half a block more or less: whichever comes closer to the time that was asked for.
+    return rules_.seconds && watch_.seconds() + 0.5 * block_seconds_ >= *rules_.seconds;
+  }
+
   std::optional<double> seconds_left() const {
     std::optional<double> left;
     const auto consider = [&](double s) { left = std::max(0.0, left ? std::min(*left, s) : s); };
-    const double per_pass = last_ / static_cast<double>(film_.passes());
-    if (rules_.samples) {
-      consider(per_pass *
-               (static_cast<double>(*rules_.samples) - static_cast<double>(film_.passes())));
+    const auto passes = static_cast<double>(canvas_.picture().pass_count());
+    if (const auto end = last_pass()) {
+      const double per_pass = last_ / (passes - static_cast<double>(passes_before_));
+      const std::uint32_t begin = rules_.only ? rules_.only->begin : 0;
+      consider(per_pass * (static_cast<double>(*end - begin) - passes));
     }
     if (rules_.seconds) consider(*rules_.seconds - last_);
     // The error of a mean falls with the square root of the number of samples.
@@ -115,11 +134,13 @@ class Run {
   }
 
   const StopRules& rules_;
-  const film::Film& film_;
+  const Canvas& canvas_;
+  std::uint64_t passes_before_;
   Stopwatch watch_;
   double last_ = 0;
+  double block_begin_ = 0;
   double block_seconds_ = 0;
-  double noise_ = infinity;
+  double noise_;
   std::uint64_t samples_ = 0;
 };
 
@@ -189,23 +210,39 @@ void check_memory(const film::Film::Settings& settings) {
   }
 }
 
+void check_can_go_on(const Canvas& canvas, const StopRules& rules) {
+  const std::optional<std::uint32_t> last = rules.only ? rules.only->end : rules.samples;
+  // Without a gap before them, passes are rendered up to any decision, which then can be taken.
+  const bool is_gapless =
+      !rules.only || canvas.film().passes().first_missing() >= rules.only->begin;
+  const std::uint64_t end =
+      is_gapless ? canvas.samples_knowable_until() : canvas.samples_known_until();
+  if (last.value_or(std::numeric_limits<std::uint32_t>::max()) <= end) return;
+  throw Error(
+      {}, fmt::format("adaptive sampling cannot go beyond {} samples per pixel here", end),
+      "what follows is decided from all passes before half of that, and from these alone; merge "
+      "those first, or render with sampling = \"uniform\"");
+}
+
 Statistics render(const BlockRenderer& renderer, const StopRules& rules, const Control& control,
-                  film::Film& film, ThreadPool& pool) {
-  Run run(rules, film);
-  const transport::Caustics::Share& photons = renderer.caustics().share();
-  SamplePlan plan({photons.cost, photons.error}, film);
+                  Canvas& canvas, ThreadPool& pool) {
+  Run run(rules, canvas);
   Statistics statistics;
-  while (!run.finished()) {
-    if (control.stop != nullptr && *control.stop && film.passes() > 0) {
+  for (PassRange next = run.next_passes(); !next.is_empty(); next = run.next_passes()) {
+    if (control.stop != nullptr && *control.stop && !canvas.film().passes().is_empty()) {
       statistics.ending = Ending::interrupted;
       break;
     }
-    const BlockTally tally = renderer.render(run.next_block(), plan.map(), film, pool);
+    run.begin_block();
+    const bool is_whole = run.is_whole_block(next);
+    const BlockTally tally =
+        is_whole ? canvas.render(renderer, next, pool) : canvas.render_cut(renderer, next, pool);
     statistics.tally += tally;
-    run.count_samples(tally.samples);
-    run.block_done();
-    if (renderer.sampling() == Sampling::adaptive) plan.block_done(film);
+    run.block_done(tally.samples);
+    const bool is_last = !is_whole || run.next_passes().is_empty();
+    if (control.on_block && !is_last) control.on_block(canvas);
     if (control.on_progress) control.on_progress(run.progress());
+    if (!is_whole) break;
   }
   statistics.seconds = run.seconds();
   statistics.noise = run.noise();

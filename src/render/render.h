@@ -8,15 +8,20 @@
 #include "description/settings.h"
 #include "film/film.h"
 #include "render/block.h"
+#include "render/canvas.h"
 #include "scene/scene.h"
 
 namespace lapidary::render {
 
 /// When to stop: at the first limit that is met, and never before one block is whole.
 struct StopRules {
-  std::optional<std::uint32_t> samples;  ///< per pixel
-  std::optional<double> seconds;         ///< of wall time, from the start of `render`
-  std::optional<double> noise;           ///< square root of the estimated relMSE
+  std::optional<std::uint32_t> samples;  ///< per pixel, with those that the canvas came with
+  /// Of wall time, from the start of `render`. The clock is steady: setting that of the system
+  /// changes nothing.
+  std::optional<double> seconds;
+  std::optional<double> noise;  ///< square root of the estimated relMSE
+  /// Passes of whole blocks: no others are rendered, and the end is when all of them are there.
+  std::optional<PassRange> only = std::nullopt;
 };
 
 /// The limits that the settings of a scene state; 256 samples when they state none.
@@ -49,7 +54,10 @@ struct Progress {
 /// Where a render is watched and stopped from.
 struct Control {
   std::function<void(const Progress&)> on_progress;  ///< after every block; may be empty
-  const std::atomic<bool>* stop = nullptr;           ///< set: end after the running block
+  /// After every whole block but the last, and before `on_progress`: the time to note what there
+  /// is. May be empty.
+  std::function<void(const Canvas&)> on_block = {};
+  const std::atomic<bool>* stop = nullptr;  ///< set: end after the running block
 };
 
 enum class Ending { complete, interrupted };
@@ -61,8 +69,14 @@ struct Statistics {
   double noise = 0;
 };
 
-/// Renders until a rule says stop, adding to `film`.
+/// Renders what is missing on the canvas, lowest passes first, until a rule says stop; nothing if
+/// it has all that is asked for. The picture does not depend on what the canvas came with.
+/// Precondition: `check_can_go_on`.
 Statistics render(const BlockRenderer& renderer, const StopRules& rules, const Control& control,
-                  film::Film& film, ThreadPool& pool);
+                  Canvas& canvas, ThreadPool& pool);
+
+/// Refuses rules that ask for passes which can never be rendered on this canvas, because adaptive
+/// sampling cannot decide about them. Throws Error.
+void check_can_go_on(const Canvas& canvas, const StopRules& rules);
 
 }  // namespace lapidary::render

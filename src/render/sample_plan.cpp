@@ -1,6 +1,7 @@
 #include "render/sample_plan.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -124,8 +125,8 @@ Allocation best_allocation(std::span<const double> variances, const PhotonShare&
 }
 
 Allocation SamplePlan::decide(const film::Film& film) const {
-  const int width = film.width(), height = film.height();
-  const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const int width = width_, height = height_;
+  const std::size_t size = film.settings().pixels();
   std::vector<double> variances, means;
   variances.reserve(size), means.reserve(size);
   for (int y = 0; y < height; ++y) {
@@ -144,34 +145,60 @@ Allocation SamplePlan::decide(const film::Film& film) const {
   return best_allocation(variances, photons_);
 }
 
-SamplePlan::SamplePlan(const PhotonShare& photons, const film::Film& film) : photons_(photons) {
-  if (film.passes() == 0) return;
-  while (next_epoch_ <= film.passes()) next_epoch_ *= 2;
-  next_.counts.assign(
-      static_cast<std::size_t>(film.width()) * static_cast<std::size_t>(film.height()), 1);
-  begin_epoch(film);
-  next_ = decide(film);
+SamplePlan::SamplePlan(const PhotonShare& photons, int width, int height,
+                       std::vector<Allocation> epochs)
+    : photons_(photons),
+      width_(width),
+      height_(height),
+      epochs_(std::move(epochs)),
+      map_end_(first_pass(0)) {}
+
+std::uint64_t SamplePlan::first_pass(std::size_t epoch) {
+  return std::uint64_t{first_epoch} << epoch;
 }
 
-void SamplePlan::begin_epoch(const film::Film& film) {
-  const auto passes = static_cast<std::uint32_t>(film.passes());
-  SampleMap::Before before{{}, map_.photons_before(passes), passes};
-  before.samples.reserve(next_.counts.size());
-  for (int y = 0; y < film.height(); ++y) {
-    for (int x = 0; x < film.width(); ++x) before.samples.push_back(film.samples(x, y));
-  }
-  map_ = SampleMap(film.width(), std::move(next_), std::move(before));
+std::uint64_t SamplePlan::known_until() const {
+  return first_pass(epochs_.size());
+}
+
+// The first half of the passes before an epoch; those before the first two are too few to halve.
+std::uint64_t SamplePlan::next_decision() const {
+  return epochs_.size() < 2 ? first_epoch : known_until() / 2;
 }
 
 void SamplePlan::block_done(const film::Film& film) {
-  const auto passes = static_cast<std::uint32_t>(film.passes());
-  if (passes == first_epoch) next_ = decide(film);
-  if (passes == next_epoch_) {
-    begin_epoch(film);
-    next_epoch_ *= 2;
+  const std::uint64_t end = next_decision();
+  const auto& held = film.passes().ranges();
+  const bool is_time = held.size() == 1 && held[0].begin == 0 && held[0].end == end;
+  if (!is_time || epochs_.size() == most_epochs) return;
+  epochs_.push_back(decide(film));
+  if (epochs_.size() == 1) epochs_.push_back(epochs_[0]);
+}
+
+SampleMap SamplePlan::map_of(std::size_t epoch) const {
+  SampleMap::Before before{std::vector<std::uint32_t>(epochs_[epoch].counts.size(), first_epoch),
+                           first_epoch, first_epoch};
+  for (std::size_t e = 0; e < epoch; ++e) {
+    const auto passes = static_cast<std::uint32_t>(first_pass(e + 1) - first_pass(e));
+    for (std::size_t i = 0; i < before.samples.size(); ++i) {
+      before.samples[i] += passes * epochs_[e].counts[i];
+    }
+    before.photons += passes * epochs_[e].photons;
+    before.passes += passes;
   }
-  // The first half of what there is before the next epoch.
-  if (2 * passes == next_epoch_) next_ = decide(film);
+  return {width_, epochs_[epoch], std::move(before)};
+}
+
+const SampleMap& SamplePlan::map(std::uint32_t pass) {
+  assert(pass < known_until());
+  if (pass >= map_begin_ && pass < map_end_) return map_;
+  std::size_t epoch = 0;
+  while (first_pass(epoch + 1) <= pass) ++epoch;
+  const bool is_decided = pass >= first_epoch;
+  map_ = is_decided ? map_of(epoch) : SampleMap();
+  map_begin_ = is_decided ? first_pass(epoch) : 0;
+  map_end_ = is_decided ? first_pass(epoch + 1) : first_epoch;
+  return map_;
 }
 
 }  // namespace lapidary::render

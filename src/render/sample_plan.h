@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,6 +13,8 @@ namespace lapidary::render {
 struct PhotonShare {
   double cost = 0;   ///< over that of one camera sample in every pixel
   double error = 0;  ///< share of a pass's variance, 0 to 1
+
+  bool operator==(const PhotonShare&) const = default;
 };
 
 /// What a pass spends.
@@ -21,6 +24,8 @@ struct Allocation {
 
   std::vector<std::uint8_t> counts;  ///< of camera samples: 1 to `most`, row by row
   double photons = 1;                ///< over those where all counts are 1
+
+  bool operator==(const Allocation&) const = default;
 };
 
 /// How many camera samples each pixel takes in every pass of an epoch.
@@ -81,23 +86,40 @@ class SampleMap {
 /// Reconstruction using Greedy Error Minimization".
 class SamplePlan {
  public:
-  /// Goes on with a film, which may be empty: until the next epoch with one sample of each pixel.
-  SamplePlan(const PhotonShare& photons, const film::Film& film);
+  /// One sample of each pixel until the first decision.
+  SamplePlan(const PhotonShare& photons, int width, int height)
+      : SamplePlan(photons, width, height, {}) {}
+  /// Goes on with the decisions of a plan before it, in the order of their epochs.
+  SamplePlan(const PhotonShare& photons, int width, int height, std::vector<Allocation> epochs);
 
-  /// To be told of the film after every block. Blocks must not cross the beginnings of epochs.
+  const PhotonShare& photons() const { return photons_; }
+  /// What was decided, epoch by epoch.
+  const std::vector<Allocation>& epochs() const { return epochs_; }
+
+  /// The samples of passes [0, known_until()) are decided.
+  std::uint64_t known_until() const;
+  /// The next decision is taken from a film of the passes [0, next_decision()) and no others.
+  std::uint64_t next_decision() const;
+  /// The pass that an epoch begins with.
+  static std::uint64_t first_pass(std::size_t epoch);
+  /// Most epochs that 32 bits have passes for.
+  static constexpr std::size_t most_epochs = 29;
+
+  /// To be told of the film after every block: takes the decision that it is time for.
   void block_done(const film::Film& film);
 
-  /// Of the epoch that the next block is in.
-  const SampleMap& map() const { return map_; }
+  /// Of the epoch that a pass is in; it must be known. Valid until the next call.
+  const SampleMap& map(std::uint32_t pass);
 
  private:
-  void begin_epoch(const film::Film& film);
   Allocation decide(const film::Film& film) const;
+  SampleMap map_of(std::size_t epoch) const;
 
   PhotonShare photons_;
+  int width_, height_;
+  std::vector<Allocation> epochs_;
   SampleMap map_;
-  Allocation next_;
-  std::uint32_t next_epoch_ = 8;  ///< its first pass
+  std::uint64_t map_begin_ = 0, map_end_;  ///< the passes of `map_`
 };
 
 /// The smallest allocation whose product of cost and error is within 5 % of the least. Of the

@@ -235,7 +235,7 @@ Scene build(const description::SceneDescription& description, const BuildOptions
     ++index;
   });
   for (const description::Light& light : description.lights) {
-    for (light::Light& part : prepare_lights(light, description.metres_per_unit)) {
+    for (light::Light& part : prepare_lights(light, {description.metres_per_unit, options.files})) {
       parts.lights.push_back(std::move(part));
     }
   }

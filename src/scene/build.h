@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/input_files.h"
 #include "base/log.h"
 #include "base/parallel.h"
 #include "description/scene_description.h"
@@ -13,6 +14,7 @@ struct BuildOptions {
   ThreadPool& pool;
   WarningLog& warnings;
   description::LightChoice light_choice = description::LightChoice::tree;
+  InputFiles* files = nullptr;  ///< notes what is read; null: nobody wants to know
 };
 
 /// Turns what the user said into what light transport reads. The description has a camera; a scene

@@ -16,39 +16,39 @@ Spectrum divided(const Spectrum& spectrum, double divisor) {
   return spectrum.scaled(static_cast<float>(1.0 / divisor));
 }
 
-light::Light prepare(const description::PointLight& p, double metres) {
+light::Light prepare(const description::PointLight& p, const LightPreparation& with) {
   // Transport measures distances in scene units, so intensity is per square scene unit.
-  const double square = metres * metres;
+  const double square = with.metres * with.metres;
   const double to_intensity = p.emission.quantity == Quantity::power ? 4.0 * pi : 1.0;
   return light::PointLight{p.position, divided(p.emission.spectrum, to_intensity * square)};
 }
 
-light::Light prepare(const description::ProfileLight& p, double metres) {
-  auto profile = std::make_shared<const light::PhotometricWeb>(light::read_ies(p.file));
+light::Light prepare(const description::ProfileLight& p, const LightPreparation& with) {
+  auto profile = std::make_shared<const light::PhotometricWeb>(light::read_ies(p.file, with.files));
   const double to_candela = p.emission.quantity == Quantity::power ? profile->flux() : 1.0;
   return light::ProfileLight({p.position, p.axis, p.up}, std::move(profile),
-                             divided(p.emission.spectrum, to_candela * metres * metres));
+                             divided(p.emission.spectrum, to_candela * with.metres * with.metres));
 }
 
-light::Light prepare(const description::SpotLight& s, double metres) {
+light::Light prepare(const description::SpotLight& s, const LightPreparation& with) {
   const double outer = radians(0.5 * s.angle);
   const light::SpotLight::Cone cone{s.at - s.from, outer * (1.0 - s.penumbra), outer};
-  const double square = metres * metres;
+  const double square = with.metres * with.metres;
   const double to_intensity =
       s.emission.quantity == Quantity::power ? light::SpotLight::effective_solid_angle(cone) : 1.0;
   return light::SpotLight(s.from, cone, divided(s.emission.spectrum, to_intensity * square));
 }
 
-light::Light prepare(const description::DistantLight& d, double) {
+light::Light prepare(const description::DistantLight& d, const LightPreparation&) {
   return light::DistantLight({-d.direction, radians(0.5 * d.angle)}, d.emission.spectrum);
 }
 
-light::Light prepare(const description::ConstantEnvironment& e, double) {
+light::Light prepare(const description::ConstantEnvironment& e, const LightPreparation&) {
   return light::ConstantEnvironment{e.radiance};
 }
 
-light::Light prepare(const description::ImageEnvironment& e, double) {
-  const image::Image image = image::read_image(e.file);
+light::Light prepare(const description::ImageEnvironment& e, const LightPreparation& with) {
+  const image::Image image = image::read_image(e.file, {.files = with.files});
   light::ImageEnvironment::Picture picture;
   picture.width = static_cast<std::size_t>(image.width);
   picture.rotation = radians(e.rotate);
@@ -68,7 +68,7 @@ light::Light prepare(const description::ImageEnvironment& e, double) {
   return light::ImageEnvironment(std::move(picture));
 }
 
-std::vector<light::Light> prepare(const description::Sky& s, double) {
+std::vector<light::Light> prepare(const description::Sky& s, const LightPreparation&) {
   light::Sky sky = light::make_sky({s.to_sun, {s.turbidity, s.ground_albedo}, s.scale});
   std::vector<light::Light> lights{light::ImageEnvironment(std::move(sky.picture))};
   const bool is_up = sky.sun.influence().strength > 0.0;
@@ -85,8 +85,9 @@ std::vector<light::Light> as_list(std::vector<light::Light> lights) {
 
 }  // namespace
 
-std::vector<light::Light> prepare_lights(const description::Light& light, double metres) {
-  return std::visit([&](const auto& model) { return as_list(prepare(model, metres)); },
+std::vector<light::Light> prepare_lights(const description::Light& light,
+                                         const LightPreparation& preparation) {
+  return std::visit([&](const auto& model) { return as_list(prepare(model, preparation)); },
                     light.model);
 }
 

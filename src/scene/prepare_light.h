@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/input_files.h"
 #include "description/light.h"
 #include "description/material.h"
 #include "geometry/placed_solid.h"
@@ -13,9 +14,16 @@
 
 namespace lapidary::scene {
 
-/// What a light of the scene's `lights` list is made of: a sky of two, all others of one. `metres`
-/// is the length of a scene unit. Reads files; throws Error for those that cannot be used.
-std::vector<light::Light> prepare_lights(const description::Light& light, double metres);
+/// What preparing a light needs beside its description.
+struct LightPreparation {
+  double metres = 1;            ///< the length of a scene unit
+  InputFiles* files = nullptr;  ///< notes what is read; may be null
+};
+
+/// What a light of the scene's `lights` list is made of: a sky of two, all others of one. Reads
+/// files; throws Error for those that cannot be used.
+std::vector<light::Light> prepare_lights(const description::Light& light,
+                                         const LightPreparation& preparation);
 
 /// Makes the lights that surfaces are which wear an emissive material.
 class SurfaceLights {

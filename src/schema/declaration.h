@@ -56,6 +56,8 @@ class Declaration {
     info_.parameters.push_back({std::move(name), ReaderOfM::type(), std::move(options.doc),
                                 std::move(options.default_text), options.unit, options.range,
                                 options.need, options.shorthand});
+    getters_.push_back(
+        [member](T& object) { return ReaderOfM::text(std::invoke(member, object)); });
     setters_.push_back([member](T& object, const Value& value, const Context& context) {
       std::invoke(member, object) = ReaderOfM::read(value, context);
     });
@@ -79,6 +81,15 @@ class Declaration {
     assign(object, find_parameter(info_, name, context), value, context);
   }
 
+  /// What each parameter of `object` is, as a scene would write it; empty where nothing is given.
+  std::vector<std::pair<std::string, std::string>> texts(T object) const {
+    std::vector<std::pair<std::string, std::string>> all;
+    for (std::size_t i = 0; i < getters_.size(); ++i) {
+      all.emplace_back(info_.parameters[i].name, getters_[i](object));
+    }
+    return all;
+  }
+
  private:
   void assign(T& object, std::size_t i, const Value& value, const Context& context) const {
     const ParameterInfo& parameter = info_.parameters[i];
@@ -86,6 +97,7 @@ class Declaration {
   }
 
   NodeInfo info_;
+  std::vector<std::function<std::string(T&)>> getters_;
   std::vector<std::function<void(T&, const Value&, const Context&)>> setters_;
 };
 

@@ -33,6 +33,24 @@ TEST(CommandLine, ReadsARenderCommand) {
   EXPECT_EQ(c.progress, ProgressStyle::json);
 }
 
+TEST(CommandLine, ReadsWhatLongRendersTake) {
+  const auto c = parse<RenderCommand>({"render", "a.lua", "--resume", "--checkpoint", "2.5",
+                                       "--blocks", "5-8", "--plan", "first.exr"});
+  EXPECT_TRUE(c.resumes);
+  EXPECT_EQ(c.checkpoint_seconds, 2.5);
+  ASSERT_TRUE(c.blocks);
+  EXPECT_EQ(c.blocks->first, 5u);
+  EXPECT_EQ(c.blocks->last, 8u);
+  EXPECT_EQ(c.plan_file, "first.exr");
+  EXPECT_EQ(parse<RenderCommand>({"render", "a.lua", "--blocks", "7"}).blocks->last, 7u);
+  EXPECT_FALSE(parse<RenderCommand>({"render", "a.lua"}).checkpoint_seconds);
+  const auto m = parse<MergeCommand>({"merge", "a.exr", "b.exr", "-o", "c.exr", "-o", "c.png"});
+  EXPECT_THAT(m.parts, ElementsAre("a.exr", "b.exr"));
+  EXPECT_THAT(m.outputs, ElementsAre("c.exr", "c.png"));
+  EXPECT_THAT(problem_of({"render", "a.lua", "--blocks", "4-3"}), HasSubstr("1 <= A <= B"));
+  EXPECT_THAT(problem_of({"render", "a.lua", "--plan", "a.exr"}), HasSubstr("--blocks"));
+}
+
 TEST(CommandLine, OptionsMayComeBeforeTheScene) {
   const auto c = parse<RenderCommand>({"render", "-o", "b.png", "--set", "n=3", "a.lua"});
   EXPECT_EQ(c.scene.file, "a.lua");

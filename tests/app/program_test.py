@@ -653,7 +653,8 @@ class Interrupt(ProgramTest):
         program.stderr.readline()
         program.send_signal(signal.SIGTERM)
         program.communicate(timeout=60)
-        self.assertEqual(sorted(os.listdir(self.folder)), ["ball.lua", "ball.png"])
+        self.assertEqual(sorted(os.listdir(self.folder)),
+                         ["ball.checkpoint.exr", "ball.lua", "ball.png"])
 
 
 if __name__ == "__main__":

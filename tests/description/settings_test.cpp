@@ -66,6 +66,39 @@ TEST(RenderOverride, RefusesAsTheSceneDoes) {
   EXPECT_THAT(error_of("seed", "-1"), HasSubstr("must be from 0"));
 }
 
+// What is written down of settings is read back as the same.
+TEST(SettingTexts, MakeTheSameSettings) {
+  RenderSettings render;
+  FilmSettings film;
+  for (const auto& [key, value] :
+       std::vector<std::pair<std::string, std::string>>{{"size", "960x540"},
+                                                        {"samples", "64"},
+                                                        {"noise", "0.1"},
+                                                        {"caustics", "photons"},
+                                                        {"sampling", "uniform"},
+                                                        {"light_choice", "power"},
+                                                        {"map_radius", "0.30000000000000004"},
+                                                        {"filter", "tent"},
+                                                        {"seed", "9007199254740991"},
+                                                        {"exposure", "1.1"},
+                                                        {"tone", "none"}}) {
+    apply_override(render, film, key, value);
+  }
+  RenderSettings same;
+  FilmSettings same_film;
+  const auto texts = setting_texts(render, film);
+  for (const auto& [key, text] : texts) {
+    if (!text.empty()) apply_override(same, same_film, key, text);
+  }
+  EXPECT_EQ(setting_texts(same, same_film), texts);
+  EXPECT_EQ(same.size, render.size);
+  EXPECT_EQ(same.illumination.radius, 0.1 + 0.2);
+  EXPECT_EQ(same.seed, 9007199254740991u);
+  EXPECT_EQ(same.time, std::nullopt);
+  EXPECT_EQ(same_film.exposure, 1.1);
+  EXPECT_THAT(texts, testing::Contains(std::pair<std::string, std::string>("time", "")));
+}
+
 TEST(Settings, AreReadFromTheScene) {
   Constructor make;
   const auto scene = make.make<SceneDescription>(

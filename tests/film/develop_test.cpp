@@ -17,11 +17,11 @@ Film exposed_film(Layers layers) {
             .normal = {0, 0, 1},
             .depth = 7,
             .object = 3},
-           0, left, faults);
-  film.add({.beauty = {4, 5, 6}}, 0, right, faults);
-  film.add_block(0, 0, left);
-  film.add_block(1, 0, right);
-  film.finish_block(1);
+           left, faults);
+  film.add({.beauty = {4, 5, 6}}, right, faults);
+  film.add_block({0, 1}, 0, 0, left);
+  film.add_block({0, 1}, 1, 0, right);
+  film.finish_block({0, 1});
   return film;
 }
 

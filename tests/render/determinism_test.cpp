@@ -144,10 +144,10 @@ TEST_F(Determinism, HoldsForASceneBuiltAgain) {
 image::LayeredImage adaptive(const scene::Scene& scene, int threads) {
   ThreadPool pool(threads);
   const render::BlockRenderer renderer(scene, render::sample_settings({}), {width, height}, pool);
-  film::Film film({.width = width, .height = height, .layers = film::Layers::all});
-  const auto done = render::render(renderer, {.samples = 20}, {}, film, pool);
+  render::Canvas canvas({.width = width, .height = height, .layers = film::Layers::all}, renderer);
+  const auto done = render::render(renderer, {.samples = 20}, {}, canvas, pool);
   EXPECT_GT(done.tally.samples, 22u * width * height);
-  return film::develop(film);
+  return film::develop(canvas.picture());
 }
 
 TEST_F(Determinism, HoldsForAdaptiveSampling) {

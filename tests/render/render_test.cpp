@@ -18,14 +18,14 @@ struct SmallRender {
                            .add(geometry::HalfSpace{{0, 0, -1}}, matte(0.5))
                            .add(geometry::Sphere{{1, -1, 2}, 0.5}, lamp(5.0))
                            .build();
-  film::Film film{{.width = 8, .height = 6}};
   ThreadPool pool{1};
-  render::BlockRenderer renderer{
-      scene, render::sample_settings({}), {film.width(), film.height()}, pool};
+  render::BlockRenderer renderer{scene, render::sample_settings({}), {8, 6}, pool};
+  render::Canvas canvas{{.width = 8, .height = 6}, renderer};
 
   render::Statistics operator()(const StopRules& rules, const render::Control& control = {}) {
-    return render::render(renderer, rules, control, film, pool);
+    return render::render(renderer, rules, control, canvas, pool);
   }
+  const film::Film& film() const { return canvas.picture(); }
 };
 
 TEST(Render, StopsAtTheSamplesAskedFor) {
@@ -38,7 +38,7 @@ TEST(Render, StopsAtTheSamplesAskedFor) {
                                   EXPECT_GE(p.seconds_left.value(), 0.0);
                                 }});
     EXPECT_EQ(statistics.ending, render::Ending::complete);
-    EXPECT_EQ(run.film.passes(), samples);
+    EXPECT_EQ(run.film().pass_count(), samples);
     EXPECT_EQ(passes.size(), (samples + 3) / 4);
     EXPECT_EQ(passes.back(), samples);
     EXPECT_GE(statistics.tally.counters.nearest_queries, 48 * samples);
@@ -49,8 +49,8 @@ TEST(Render, NeverStopsBeforeABlockIsWhole) {
   SmallRender run;
   const std::atomic<bool> stop = true;
   const auto statistics = run({.seconds = 0.0}, {.stop = &stop});
-  EXPECT_EQ(run.film.passes(), 4u);
-  EXPECT_EQ(run.film.blocks(), 1u);
+  EXPECT_EQ(run.film().pass_count(), 4u);
+  EXPECT_EQ(run.film().blocks(), 1u);
   EXPECT_EQ(statistics.ending, render::Ending::complete);
 }
 
@@ -60,7 +60,7 @@ TEST(Render, StopsWhenItIsTold) {
   const auto statistics =
       run({.samples = 1000},
           {.on_progress = [&](const Progress& p) { stop = p.passes >= 12; }, .stop = &stop});
-  EXPECT_EQ(run.film.passes(), 12u);
+  EXPECT_EQ(run.film().pass_count(), 12u);
   EXPECT_EQ(statistics.ending, render::Ending::interrupted);
 }
 
@@ -72,8 +72,8 @@ TEST(Render, StopsAtTheNoiseAskedFor) {
   }();
   const auto statistics = run({.noise = 0.3 * before});
   EXPECT_LE(statistics.noise, 0.3 * before);
-  EXPECT_GT(run.film.passes(), 8u);
-  EXPECT_EQ(statistics.noise, run.film.noise());
+  EXPECT_GT(run.film().pass_count(), 8u);
+  EXPECT_EQ(statistics.noise, run.film().noise());
 }
 
 // Going on with a film is the same as not having stopped.
@@ -82,11 +82,11 @@ TEST(Render, GoesOnWhereItStopped) {
   whole({.samples = 12});
   parts({.samples = 4});
   parts({.samples = 12});
-  EXPECT_EQ(parts.film.passes(), 12u);
+  EXPECT_EQ(parts.film().pass_count(), 12u);
   for (int y = 0; y < 6; ++y) {
     for (int x = 0; x < 8; ++x) {
-      EXPECT_EQ(parts.film.beauty(x, y), whole.film.beauty(x, y));
-      EXPECT_EQ(parts.film.variance(x, y), whole.film.variance(x, y));
+      EXPECT_EQ(parts.film().beauty(x, y), whole.film().beauty(x, y));
+      EXPECT_EQ(parts.film().variance(x, y), whole.film().variance(x, y));
     }
   }
 }

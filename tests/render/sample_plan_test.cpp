@@ -70,29 +70,30 @@ film::Film noisy_film(int px, int py, float of_pixel) {
   film::Film film({.width = width, .height = height});
   film::SampleFaults faults;
   Random random(3);
-  for (int block = 0; block < 2; ++block) {
+  for (const film::PassRange passes : {film::PassRange{0, 4}, {4, 8}}) {
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         film::PixelSums sums;
         for (std::uint32_t i = 0; i < 4; ++i) {
           const auto noise = static_cast<float>(random.uniform() * (x > width / 2 ? 1.0 : 0.01));
           const float value = x == px && y == py ? of_pixel * noise : 0.5f + noise;
-          film.add({{value, value, value}, {}, {}}, i, sums, faults);
+          film.add({{value, value, value}, {}, {}}, sums, faults);
         }
-        film.add_block(x, y, sums);
+        film.add_block(passes, x, y, sums);
       }
     }
-    film.finish_block(4);
+    film.finish_block(passes);
   }
   return film;
 }
 
 SampleMap map_after(const film::Film& film) {
-  const film::Film empty({.width = width, .height = height});
-  SamplePlan plan({}, empty);
-  EXPECT_TRUE(plan.map().is_uniform());
+  SamplePlan plan({}, width, height);
+  EXPECT_TRUE(plan.map(0).is_uniform());
+  EXPECT_EQ(plan.known_until(), 8u);
   plan.block_done(film);
-  return plan.map();
+  EXPECT_EQ(plan.known_until(), 32u);
+  return plan.map(8);
 }
 
 TEST(SamplePlan, SamplesMoreWhereItIsNoisy) {
@@ -117,21 +118,20 @@ TEST(SamplePlan, NobodyDecidesForItself) {
 
 // Radii shrink with the photons of all passes before, however these were shared out.
 TEST(SamplePlan, CountsThePhotonsOfThePassesBefore) {
-  const film::Film empty({.width = width, .height = height});
-  SamplePlan plan({.cost = 0.1, .error = 0.9}, empty);
-  EXPECT_EQ(plan.map().photons_before(5), 5.0);
+  SamplePlan plan({.cost = 0.1, .error = 0.9}, width, height);
+  EXPECT_EQ(plan.map(5).photons_before(5), 5.0);
   plan.block_done(noisy_film(0, 0, 0.5f));
-  const double factor = plan.map().photons();
+  const double factor = plan.map(8).photons();
   EXPECT_GT(factor, 1.0);
-  EXPECT_EQ(plan.map().photons_before(8), 8.0);
-  EXPECT_EQ(plan.map().photons_before(11), 8.0 + 3.0 * factor);
+  EXPECT_EQ(plan.map(8).photons_before(8), 8.0);
+  EXPECT_EQ(plan.map(11).photons_before(11), 8.0 + 3.0 * factor);
+  EXPECT_EQ(plan.map(18).photons_before(18), 8.0 + 8.0 * factor + 2.0 * plan.map(18).photons());
 }
 
 // Numbers of a pixel's samples follow one another through passes and epochs.
 TEST(SamplePlan, LeavesNoNumberOutAndTakesNoneTwice) {
   film::Film film = noisy_film(0, 0, 0.5f);
-  const film::Film empty({.width = width, .height = height});
-  SamplePlan plan({}, empty);
+  SamplePlan plan({}, width, height);
   plan.block_done(film);
   film::SampleFaults faults;
   Random random(5);
@@ -141,22 +141,22 @@ TEST(SamplePlan, LeavesNoNumberOutAndTakesNoneTwice) {
       for (int x = 0; x < width; ++x) {
         film::PixelSums sums;
         for (std::uint32_t p = pass; p < pass + 2; ++p) {
-          const auto [first, count] = plan.map().at(x, y, p);
+          const auto [first, count] = plan.map(p).at(x, y, p);
           std::uint32_t& expected = next[static_cast<std::size_t>(y * width + x)];
           ASSERT_EQ(first, expected) << "pass " << p;
           expected += count;
           for (std::uint32_t i = 0; i < count; ++i) {
             const auto value = static_cast<float>(random.uniform() * (y > 5 ? 1.0 : 0.1));
-            film.add({{value, value, value}, {}, {}}, first + i, sums, faults);
+            film.add({{value, value, value}, {}, {}}, sums, faults);
           }
         }
-        film.add_block(x, y, sums);
+        film.add_block({pass, pass + 2}, x, y, sums);
       }
     }
-    film.finish_block(2);
+    film.finish_block({pass, pass + 2});
     plan.block_done(film);
   }
-  EXPECT_GT(plan.map().mean(), 1.1);
+  EXPECT_GT(plan.map(69).mean(), 1.1);
 }
 
 // Adaptive and uniform pictures have the same mean, over many seeds: within 4 standard errors, of
@@ -178,9 +178,10 @@ TEST(SamplePlan, KeepsTheMeanOfPictures) {
       render::SampleSettings settings = render::sample_settings({});
       settings.seed = seed;
       settings.sampling = sampling;
-      film::Film film({.width = 10, .height = 8});
       const render::BlockRenderer renderer(scene, settings, {10, 8}, pool);
-      const auto done = render::render(renderer, {.samples = 32}, {}, film, pool);
+      render::Canvas canvas({.width = 10, .height = 8}, renderer);
+      const auto done = render::render(renderer, {.samples = 32}, {}, canvas, pool);
+      const film::Film& film = canvas.film();
       const bool adaptive = sampling == render::Sampling::adaptive;
       if (adaptive) samples += static_cast<double>(done.tally.samples) / (200 * 32 * 80);
       double sum = 0.0;

@@ -1,0 +1,49 @@
+#include "app/checkpoints.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+#include "base/error.h"
+
+namespace lapidary::app {
+namespace {
+
+double seconds_between(Checkpoints::Clock::time_point a, Checkpoints::Clock::time_point b) {
+  return std::chrono::duration<double>(b - a).count();
+}
+
+/// What the first checkpoint is taken to cost.
+double estimated_cost(const render::Canvas& canvas) {
+  constexpr double bytes_per_second = 2e8;
+  return static_cast<double>(film::Film::bytes(canvas.film().settings())) / bytes_per_second;
+}
+
+}  // namespace
+
+double Checkpoints::default_interval(double cost) {
+  constexpr double most_overhead = 0.02, least = 60;
+  return std::max(least, cost / most_overhead);
+}
+
+void Checkpoints::block_done(const render::Canvas& canvas,
+                             const std::function<void(const std::string&)>& warn) {
+  const Clock::time_point begin = Clock::now();
+  const double cost = cost_ < 0 ? estimated_cost(canvas) : cost_;
+  if (seconds_between(last_, begin) < interval_.value_or(default_interval(cost))) return;
+  try {
+    outputs_.write_checkpoint(canvas, {origin_, seconds_between(start_, begin)});
+    is_failing_ = false;
+    has_written_ = true;
+  } catch (const Error& error) {
+    if (!is_failing_) {
+      warn(fmt::format("{}; rendering goes on, and the checkpoint before this one stays",
+                       error.what()));
+    }
+    is_failing_ = true;
+  }
+  last_ = Clock::now();
+  cost_ = seconds_between(begin, last_);
+}
+
+}  // namespace lapidary::app

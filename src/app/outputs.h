@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "film/film.h"
+#include "image/image_io.h"
+#include "render/canvas.h"
+#include "render/origin.h"
+#include "render/render.h"
+
+namespace lapidary::app {
+
+/// The files that a picture goes to. Its checkpoint is the second part of the first OpenEXR file
+/// among them, else NAME.checkpoint.exr beside the first.
+class Outputs {
+ public:
+  enum class Checkpoints { kept, none };
+
+  /// At least one picture.
+  Outputs(std::vector<std::string> pictures, Checkpoints checkpoints);
+
+  const std::vector<std::string>& pictures() const { return pictures_; }
+  /// Which layers they have room for.
+  film::Layers layers() const;
+  /// The file with the checkpoint; empty where none is kept.
+  const std::string& checkpoint() const { return checkpoint_; }
+
+  /// Finds out before the work what would fail after it. Throws Error.
+  void check() const;
+
+  /// What is written of a picture beside its pixels.
+  struct Facts {
+    const render::Origin& origin;
+    double seconds = 0;  ///< of rendering
+  };
+  /// Writes the checkpoint's file alone, in haste: with the picture so far, not packed. Throws
+  /// Error, and then the file is as it was.
+  void write_checkpoint(const render::Canvas& canvas, const Facts& facts) const;
+
+  /// Writes all files; a checkpoint beside the pictures only for a render that was interrupted.
+  /// Files that cannot be written do not keep it from the others: throws the first Error after
+  /// them.
+  void write(const render::Canvas& canvas, const Facts& facts, render::Ending ending) const;
+
+  /// Removes a checkpoint that is beside the pictures, if there is one: they are complete.
+  void remove_checkpoint() const;
+
+ private:
+  bool is_beside() const;
+  void write_with_checkpoint(const render::Canvas& canvas, const image::LayeredImage& picture,
+                             const Facts& facts, image::Compression compression) const;
+
+  std::vector<std::string> pictures_;
+  std::string checkpoint_;
+};
+
+}  // namespace lapidary::app

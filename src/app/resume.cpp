@@ -1,0 +1,104 @@
+#include "app/resume.h"
+
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/different_picture.h"
+#include "render/checkpoint.h"
+#include "render/render.h"
+
+namespace lapidary::app {
+namespace {
+
+using film::Film;
+using render::Canvas;
+using render::Checkpoint;
+
+bool exists(const std::string& file) {
+  std::error_code ignored;
+  return !file.empty() && std::filesystem::exists(file, ignored);
+}
+
+/// The checkpoint in `file`, if it is one of the render that is to go on.
+Checkpoint read_same(const std::string& file, const render::Origin& origin,
+                     const Film::Settings& settings, const render::BlockRenderer& renderer) {
+  Checkpoint checkpoint = render::read_checkpoint(file);
+  std::vector<std::string> differences = render::differences(checkpoint.origin, origin);
+  const Film::Settings& held = checkpoint.canvas.film().settings();
+  if (held.layers == film::Layers::beauty && settings.layers == film::Layers::all) {
+    differences.emplace_back("layers: none, now those of an OpenEXR file");
+  }
+  if (!differences.empty()) {
+    throw DifferentPicture(
+        fmt::format("{}: the checkpoint is of another picture", file), differences,
+        "make these the same, or start again without --resume; more samples need no change");
+  }
+  const bool is_adaptive = renderer.sampling() == render::Sampling::adaptive;
+  Film::Settings expected = settings;
+  expected.layers = held.layers;
+  if (held != expected || checkpoint.canvas.plan().has_value() != is_adaptive) {
+    throw file_error(file, "its checkpoint contradicts the scene that it is from",
+                     "start again without --resume");
+  }
+  return checkpoint;
+}
+
+Start find_start(const RenderCommand& command, const Outputs& outputs, const render::Origin& origin,
+                 const Film::Settings& settings, const render::BlockRenderer& renderer) {
+  if (command.resumes && exists(outputs.checkpoint())) {
+    Checkpoint found = read_same(outputs.checkpoint(), origin, settings, renderer);
+    return {std::move(found.canvas), Start::From::checkpoint};
+  }
+  const auto from = command.resumes ? Start::From::no_checkpoint : Start::From::nothing;
+  if (command.plan_file.empty()) return {Canvas(settings, renderer), from};
+  const Checkpoint plan = read_same(command.plan_file, origin, settings, renderer);
+  return {Canvas(Film(settings), plan.canvas.plan()), from};
+}
+
+}  // namespace
+
+render::Origin origin_of(const RenderCommand& command,
+                         const description::SceneDescription& description,
+                         const InputFiles& files) {
+  const std::filesystem::path scene = command.scene.file;
+  render::Origin origin{LAPIDARY_VERSION,
+                        scene.filename().string(),
+                        description::setting_texts(description.render, description.film),
+                        {},
+                        files.relative_to(scene.parent_path())};
+  for (const Assignment& parameter : command.scene.parameters) {
+    origin.parameters.emplace_back(parameter.name, parameter.value);
+  }
+  if (command.scene.up) {
+    origin.parameters.emplace_back("--up", *command.scene.up == import::UpAxis::z ? "z" : "y");
+  }
+  return origin;
+}
+
+render::StopRules stop_rules_of(const RenderCommand& command,
+                                const description::RenderSettings& settings) {
+  if (!command.blocks) return render::stop_rules(settings);
+  const std::uint32_t size = render::passes_per_block(settings.size.width, settings.size.height);
+  return {.only =
+              render::PassRange{(command.blocks->first - 1) * size, command.blocks->last * size}};
+}
+
+Start start_of(const RenderCommand& command, const Outputs& outputs, const render::Origin& origin,
+               const Film::Settings& settings, const render::BlockRenderer& renderer) {
+  Start start = find_start(command, outputs, origin, settings, renderer);
+  const auto [render, film] = render::settings_of(origin);
+  try {
+    render::check_can_go_on(start.canvas, stop_rules_of(command, render));
+  } catch (const Error& error) {
+    if (!command.blocks) throw;
+    throw UsageError(
+        fmt::format("--blocks: {}", error.problem()),
+        "render the samples before by themselves, and name that picture with --plan; or use "
+        "--render sampling=uniform");
+  }
+  return start;
+}
+
+}  // namespace lapidary::app
