@@ -34,7 +34,7 @@ void Checkpoints::block_done(const render::Canvas& canvas,
   try {
     outputs_.write_checkpoint(canvas, {origin_, seconds_between(start_, begin)});
     is_failing_ = false;
-    has_written_ = true;
+    ++written_.count;
   } catch (const Error& error) {
     if (!is_failing_) {
       warn(fmt::format("{}; rendering goes on, and the checkpoint before this one stays",
@@ -44,6 +44,7 @@ void Checkpoints::block_done(const render::Canvas& canvas,
   }
   last_ = Clock::now();
   cost_ = seconds_between(begin, last_);
+  written_.seconds += cost_;
 }
 
 }  // namespace lapidary::app

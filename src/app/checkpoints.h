@@ -27,8 +27,12 @@ class Checkpoints {
   void block_done(const render::Canvas& canvas,
                   const std::function<void(const std::string&)>& warn);
 
-  /// Whether there is one of this render.
-  bool has_written() const { return has_written_; }
+  /// Those of this render, and the seconds they took, with those that failed.
+  struct Written {
+    int count = 0;
+    double seconds = 0;
+  };
+  const Written& written() const { return written_; }
 
   /// Seconds from one to the next where none are stated and writing one takes `cost`.
   static double default_interval(double cost);
@@ -41,7 +45,7 @@ class Checkpoints {
   Clock::time_point last_ = start_;
   double cost_ = -1;  ///< seconds that the last one took; below 0: there was none
   bool is_failing_ = false;
-  bool has_written_ = false;
+  Written written_;
 };
 
 }  // namespace lapidary::app

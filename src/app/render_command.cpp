@@ -200,6 +200,7 @@ ExitCode run(const RenderCommand& command) {
   }
   const Work work{renderer, stop_rules_of(command, description.render), start.canvas};
   statistics.render = render_watched(command, work, checkpoints ? &*checkpoints : nullptr, pool);
+  if (checkpoints) statistics.checkpoints = checkpoints->written();
   statistics.render_cpu_seconds = process_cpu_seconds() - cpu_seconds_before;
   statistics.samples_per_pixel = start.canvas.picture().pass_count();
   statistics.seconds.render = clock.lap();
@@ -207,7 +208,7 @@ ExitCode run(const RenderCommand& command) {
   const render::Ending ending = statistics.render.ending;
   outputs.write(start.canvas, {origin, statistics.seconds.render}, ending);
   const bool has_checkpoint =
-      start.from == Start::From::checkpoint || (checkpoints && checkpoints->has_written());
+      start.from == Start::From::checkpoint || statistics.checkpoints.count > 0;
   if (ending == render::Ending::complete && has_checkpoint) outputs.remove_checkpoint();
   statistics.seconds.write = clock.lap();
   if (!command.stats_file.empty()) write_text(command.stats_file, to_json(statistics));

@@ -47,6 +47,7 @@ std::string to_json(const RunStatistics& s) {
       {"render_cpu_seconds", s.render_cpu_seconds},
       {"samples_per_pixel", s.samples_per_pixel},
       {"samples_before", s.samples_before},
+      {"checkpoints", {{"written", s.checkpoints.count}, {"seconds", s.checkpoints.seconds}}},
       {"samples", tally.samples},
       {"rays", tally.counters.nearest_queries + tally.counters.occlusion_queries},
       {"photons",

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "app/checkpoints.h"
 #include "description/settings.h"
 #include "render/render.h"
 #include "scene/scene.h"
@@ -25,6 +26,7 @@ struct RunStatistics {
   PhaseSeconds seconds;
   std::uint64_t samples_per_pixel = 0;
   std::uint64_t samples_before = 0;  ///< of them, those that a checkpoint came with
+  Checkpoints::Written checkpoints;
   int threads = 0;
   double render_cpu_seconds = 0;  ///< processor time of the phase `render`
   render::Statistics render;

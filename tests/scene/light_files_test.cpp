@@ -14,7 +14,7 @@ constexpr std::string_view lamp_of_628_lumens =
     "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 10\n0 90\n0\n100 100\n";
 
 light::Light prepared(const description::ProfileLight& profile, double metres) {
-  return scene::prepare_lights({profile, {}}, metres).front();
+  return scene::prepare_lights({profile, {}}, {metres}).front();
 }
 
 TEST(ProfileLights, GiveTheCandelaOfTheirFileOrThePowerSaid) {
@@ -43,7 +43,7 @@ TEST(ProfileLights, OfBadFilesAreRefused) {
 
 TEST(Skies, BringTheirSunUnlessItIsDownOrLeftOut) {
   const auto lights = [](Vec3d to_sun, description::Sky::Sun sun) {
-    return scene::prepare_lights({description::Sky{.to_sun = to_sun, .sun = sun}, {}}, 1.0).size();
+    return scene::prepare_lights({description::Sky{.to_sun = to_sun, .sun = sun}, {}}, {}).size();
   };
   EXPECT_EQ(lights({1, 1, 1}, description::Sky::Sun::shines), 2u);
   EXPECT_EQ(lights({1, 1, 1}, description::Sky::Sun::left_out), 1u);
