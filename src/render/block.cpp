@@ -85,6 +85,7 @@ std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, double 
     passes.push_back({p, wavelengths, cone_, std::nullopt});
     if (caustics_.state() == transport::Caustics::State::active) {
       passes.back().caustics = caustics_.trace(p, photons, wavelengths, pool, tally.counters);
+      tally.photon_bytes += passes.back().caustics->map.bytes();
     }
   }
   return passes;
