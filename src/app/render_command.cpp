@@ -100,11 +100,11 @@ void warn_about_caustics(transport::Caustics::State state, WarningLog& warnings)
 /// What the user should know of illumination maps that hold nothing.
 void warn_about_maps(const transport::IlluminationMaps* maps, WarningLog& warnings) {
   using State = transport::IlluminationMaps::State;
-  if (maps == nullptr || maps->state() == State::active) return;
-  warnings.add({}, maps->state() == State::no_light
-                       ? "there are no lights that send out anything: illumination maps are black"
-                       : "no photon fell on a surface that can hold an illumination map after it "
-                         "was scattered: only direct light is seen");
+  // Of lights that send out nothing the scene has warned.
+  if (maps == nullptr || maps->state() != State::nothing_arrives) return;
+  warnings.add({},
+               "no photon fell on a surface that can hold an illumination map after it was "
+               "scattered: only direct light is seen");
 }
 
 /// Renders under the eyes of the user, who may end it.
@@ -188,6 +188,7 @@ ExitCode run(const RenderCommand& command) {
                                        {film.width(), film.height()}, pool);
   warn_about_caustics(renderer.caustics().state(), warnings);
   warn_about_maps(renderer.illumination(), warnings);
+  statistics.maps = renderer.illumination();
   statistics.seconds.photons = clock.lap();
   print_warnings(warnings.take());
   statistics.render = render_watched(command, renderer, description.render, film, pool);
