@@ -73,11 +73,11 @@ void warn_about_caustics(transport::Caustics::State state, WarningLog& warnings)
 /// What the user should know of illumination maps that hold nothing.
 void warn_about_maps(const transport::IlluminationMaps* maps, WarningLog& warnings) {
   using State = transport::IlluminationMaps::State;
-  if (maps == nullptr || maps->state() == State::active) return;
-  warnings.add({}, maps->state() == State::no_light
-                       ? "there are no lights that send out anything: illumination maps are black"
-                       : "no photon fell on a surface that can hold an illumination map after it "
-                         "was scattered: only direct light is seen");
+  // Of lights that send out nothing the scene has warned.
+  if (maps == nullptr || maps->state() != State::nothing_arrives) return;
+  warnings.add({},
+               "no photon fell on a surface that can hold an illumination map after it was "
+               "scattered: only direct light is seen");
 }
 
 /// What is rendered, and where to.
@@ -190,6 +190,7 @@ ExitCode run(const RenderCommand& command) {
   const render::Origin origin = origin_of(command, description, files);
   Start start = start_of(command, outputs, origin, film_settings, renderer);
   statistics.samples_before = start.canvas.film().pass_count();
+  statistics.maps = renderer.illumination();
   statistics.seconds.photons = clock.lap();
   print_warnings(warnings.take());
   if (command.progress != ProgressStyle::none) print_start(start, outputs);

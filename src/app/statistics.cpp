@@ -18,6 +18,23 @@ rusage usage_of_process() {
   return usage;
 }
 
+nlohmann::ordered_json to_json(const transport::Counters& counters) {
+  return {{"emitted", counters.photons_emitted},
+          {"traced", counters.photons_traced},
+          {"left", counters.photons_left}};
+}
+
+nlohmann::ordered_json to_json(const transport::IlluminationMaps& maps) {
+  std::uint64_t texels = 0, bytes = 0;
+  for (const transport::IlluminationMaps::Entry& entry : maps.entries()) {
+    texels += entry.map.grid().size();
+    bytes += entry.map.bytes();
+  }
+  nlohmann::ordered_json json = to_json(maps.counters());
+  json.update({{"maps", maps.entries().size()}, {"texels", texels}, {"bytes", bytes}});
+  return json;
+}
+
 }  // namespace
 
 double process_cpu_seconds() {
@@ -50,15 +67,15 @@ std::string to_json(const RunStatistics& s) {
       {"checkpoints", {{"written", s.checkpoints.count}, {"seconds", s.checkpoints.seconds}}},
       {"samples", tally.samples},
       {"rays", tally.counters.nearest_queries + tally.counters.occlusion_queries},
-      {"photons",
-       {{"emitted", tally.counters.photons_emitted},
-        {"traced", tally.counters.photons_traced},
-        {"left", tally.counters.photons_left}}},
+      {"photons", to_json(tally.counters)},
+      {"map_photons", nullptr},
       {"peak_rss_bytes", static_cast<std::uint64_t>(peak_kibibytes) * 1024},
       {"threads", s.threads},
       {"nan_samples", tally.faults.not_finite},
       {"saturated_samples", tally.faults.saturated},
       {"noise", nullptr}};
+  json["photons"]["bytes"] = tally.photon_bytes;
+  if (s.maps != nullptr) json["map_photons"] = to_json(*s.maps);
   if (std::isfinite(s.render.noise)) json["noise"] = s.render.noise;
   return json.dump(2) + "\n";
 }

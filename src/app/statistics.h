@@ -29,6 +29,8 @@ struct RunStatistics {
   Checkpoints::Written checkpoints;
   int threads = 0;
   double render_cpu_seconds = 0;  ///< processor time of the phase `render`
+  /// Null unless paths end in illumination maps; only read by `to_json`.
+  const transport::IlluminationMaps* maps = nullptr;
   render::Statistics render;
 };
 

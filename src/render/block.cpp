@@ -87,6 +87,8 @@ std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, const S
     if (caustics_.state() == transport::Caustics::State::active) {
       passes.back().caustics = caustics_.trace({p, map.photons(), map.photons_before(p)},
                                                wavelengths, pool, tally.counters);
+      const transport::CausticPass& pass = *passes.back().caustics;
+      tally.photon_bytes += pass.focused.map.bytes() + pass.diffused.map.bytes();
     }
   }
   return passes;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -45,10 +46,12 @@ struct SampleSettings {
 struct BlockTally {
   transport::Counters counters;
   film::SampleFaults faults;
-  std::uint64_t samples = 0;  ///< of the camera
+  std::uint64_t samples = 0;       ///< of the camera
+  std::uint64_t photon_bytes = 0;  ///< of all photons of a block and what finds them; the most
 
   BlockTally& operator+=(const BlockTally& b) {
     counters += b.counters, faults += b.faults, samples += b.samples;
+    photon_bytes = std::max(photon_bytes, b.photon_bytes);
     return *this;
   }
 };

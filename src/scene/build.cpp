@@ -215,6 +215,11 @@ void Builder::add_mesh(const Leaf& leaf, const description::Mesh& mesh) {
   }
 }
 
+/// Whether a light sends out nothing at all.
+bool is_dark(const light::Light& light) {
+  return !(light::power(light, 1.0) > 0.0);
+}
+
 }  // namespace
 
 Scene build(const description::SceneDescription& description, const BuildOptions& options) {
@@ -242,6 +247,9 @@ Scene build(const description::SceneDescription& description, const BuildOptions
   if (parts.lights.empty()) {
     options.warnings.add(description.where.location(),
                          "the scene has no light, so the picture will be black");
+  } else if (std::ranges::all_of(parts.lights, is_dark)) {
+    options.warnings.add(description.where.location(),
+                         "no light of the scene sends out anything, so the picture will be black");
   }
   parts.light_choice = options.light_choice == description::LightChoice::power
                            ? light::ChoiceRule::power

@@ -35,6 +35,7 @@ class IlluminationMap {
   /// Whether any surface is within the reach of the blur.
   bool has_value(int x, int y) const { return texels_[grid_.index(x, y)][3] > 0.0f; }
   const TexelGrid& grid() const { return grid_; }
+  std::size_t bytes() const { return texels_.capacity() * sizeof(SampledSpectrum); }
   Vec2d min() const { return min_; }
   Vec2d max() const { return max_; }
 

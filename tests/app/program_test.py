@@ -41,6 +41,36 @@ f 3 1 4
 """
 
 
+# What gives photons much, or nothing, to do.
+PHOTONS = """
+local kind = param("kind", "lens")
+local floor = rectangle { corner = {-4, -4, 0}, edge_u = {8, 0, 0}, edge_v = {0, 8, 0},
+                          material = matte() }
+local lamp = sphere_light { center = {0, 0, 4}, radius = 0.2, power = kind == "dark" and 0 or 100 }
+local hull = box { min = {-1, -1, 3}, max = {1, 1, 5} } -
+             box { min = {-0.9, -0.9, 3.1}, max = {0.9, 0.9, 4.9} }
+local objects = { floor, sphere { center = {0, 0, 1}, radius = 0.8, material = glass(1.5) } }
+if kind == "boxed" then objects[3] = hull:material(matte()) end
+if kind == "mirrors" then
+  objects = { sphere { material = metal "silver" },
+              box { min = {-3, -3, -2}, max = {3, 3, -1}, material = metal "gold" } }
+end
+if kind == "flat" then objects[2] = mesh { file = "flat.obj", material = glass(1.5) } end
+if kind == "flat lamp" then
+  objects[3] = mesh { file = "flat.obj", material = emissive { power = 100 } }
+end
+if kind == "cut lamp" then
+  lamp = nil
+  objects[3] = (sphere { center = {0, 0, 4}, radius = 0.2 } &
+                sphere { center = {3, 0, 4}, radius = 0.2 }):material(emissive { power = 100 })
+end
+return scene {
+  camera = perspective { from = {0, -6, 3}, at = {0, 0, 0.5} },
+  lights = { lamp }, objects = objects, render = { size = {32, 24}, samples = 4 },
+}
+"""
+
+
 class ProgramTest(unittest.TestCase):
     """Runs the program in a folder of its own."""
 
@@ -179,6 +209,27 @@ class Render(ProgramTest):
         self.assertGreater(stats["cpu_seconds"], 0)
         self.assertGreater(stats["noise"], 0)
 
+    def test_states_how_many_photons_there_were_and_their_memory(self):
+        self.write("lens.lua", PHOTONS)
+        self.succeed("render", "lens.lua", "--stats", "s.json", "--samples", "8")
+        stats = json.loads((self.folder / "s.json").read_text())
+        photons = stats["photons"]
+        self.assertGreater(photons["left"], 0)
+        self.assertGreaterEqual(photons["emitted"], photons["traced"])
+        # Of a block of 4 passes, with tables of at most four times their 64 bytes each.
+        self.assertGreater(photons["bytes"], 64 * photons["left"] / 2 * 0.5)
+        self.assertLess(photons["bytes"], 4 * 64 * photons["left"])
+        self.assertIsNone(stats["map_photons"])
+        self.succeed("render", "lens.lua", "--stats", "s.json", "--samples", "1", "--render",
+                     "integrator=illumination", "--render", "map_photons=30000")
+        stats = json.loads((self.folder / "s.json").read_text())
+        maps = stats["map_photons"]
+        self.assertEqual(maps["emitted"], 30000)
+        self.assertGreater(maps["left"], 0)
+        self.assertGreater(maps["maps"], 0)
+        self.assertEqual(maps["bytes"], 16 * maps["texels"])
+        self.assertEqual(stats["photons"], {"emitted": 0, "traced": 0, "left": 0, "bytes": 0})
+
     def test_is_silent_when_asked(self):
         self.write("ball.lua", BALL)
         self.assertEqual(self.succeed("render", "ball.lua", "--quiet").stderr, "")
@@ -247,6 +298,51 @@ class BadInput(ProgramTest):
             with self.subTest(name):
                 self.write("bad.lua", text)
                 self.assertIn(fragment, self.fail_with(3, "render", "bad.lua"))
+
+    def test_a_number_of_photons_is_one_that_memory_holds(self):
+        self.write("lens.lua", PHOTONS)
+        for photons, fragment in (("0", "from 1"), ("-5", "from 1"), ("2e9", "from 1"),
+                                  ("1000000000", "GB")):
+            with self.subTest(photons):
+                code = 2 if fragment == "from 1" else 3
+                self.assertIn(fragment, self.fail_with(
+                    code, "render", "lens.lua", "--render", "integrator=illumination", "--render",
+                    "map_photons=" + photons))
+                self.assertIn(fragment, self.fail_with(code, "bake", "lens.lua", "--photons",
+                                                       photons))
+
+    # What there is to say of a scene in which photons, or all light, have nowhere to go.
+    NOWHERE = {
+        "dark": "no light of the scene sends out anything",
+        "cut lamp": "the scene has no light",
+        "boxed": "no photon",
+        "mirrors": "",
+    }
+
+    def test_photons_that_have_nowhere_to_go_end(self):
+        self.write("lens.lua", PHOTONS)
+        for kind, fragment in self.NOWHERE.items():
+            for options in ((), ("--render", "caustics=photons"),
+                            ("--render", "integrator=illumination", "--render",
+                             "map_photons=20000")):
+                with self.subTest(kind, options=options):
+                    said = self.succeed("render", "lens.lua", "--set", "kind=" + kind, *options,
+                                        "--stats", "s.json", "--quiet").stderr
+                    stats = json.loads((self.folder / "s.json").read_text())
+                    self.assertEqual(stats["photons"]["left"], 0)
+                    # Once, and nothing of mirrors alone: their picture lacks nothing.
+                    is_map = "integrator=illumination" in options
+                    if fragment and not (kind == "boxed" and is_map):
+                        self.assertEqual(said.count(fragment), 1, said)
+
+    def test_surfaces_without_area_are_refused(self):
+        self.write("lens.lua", PHOTONS)
+        self.write("flat.obj", "v 0 0 1\nv 1 0 1\nv 2 0 1\nf 1 2 3\nf 1 1 2\n")
+        for kind in ("flat", "flat lamp"):
+            for verb in ("render", "bake"):
+                with self.subTest(kind, verb=verb):
+                    self.assertIn("zero area", self.fail_with(3, verb, "lens.lua", "--set",
+                                                              "kind=" + kind))
 
     MESHES = {
         "empty file": "",
