@@ -172,18 +172,19 @@ ExitCode run(const RenderCommand& command) {
 
   RunStatistics statistics;
   WarningLog warnings;
-  InputFiles files;
+  InputFiles files;  // noted for checkpoints alone: a large mesh takes a while
+  InputFiles* const noted_files = outputs.checkpoint().empty() ? nullptr : &files;
   ThreadPool pool(command.threads);
   statistics.threads = pool.threads();
   PhaseClock clock;
-  auto description = load_scene(command.scene, command.settings, warnings, &files);
+  auto description = load_scene(command.scene, command.settings, warnings, noted_files);
   complete_scene(command.scene, description);
   statistics.size = description.render.size;
   render::check_size(statistics.size);
   statistics.seconds.load = clock.lap();
 
   const scene::Scene scene = scene::build(
-      description, {statistics.size, pool, warnings, description.render.light_choice, &files});
+      description, {statistics.size, pool, warnings, description.render.light_choice, noted_files});
   inspect::warn_about_averted_lights(description, warnings);
   inspect::warn_about_empty_solids(description, scene, warnings);
   inspect::warn_about_buried_camera(description, scene, warnings);
