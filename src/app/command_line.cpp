@@ -310,6 +310,11 @@ void check_together(const RenderCommand& command) {
     throw UsageError("--plan is for --blocks",
                      "--resume goes on with a picture; --blocks A-B renders a part");
   }
+  if (command.checkpoint_seconds == 0.0 && (command.resumes || command.blocks)) {
+    throw UsageError(fmt::format("{} and --checkpoint 0 do not go together",
+                                 command.blocks ? "--blocks" : "--resume"),
+                     "it lives on checkpoints");
+  }
   if (!command.blocks) return;
   for (const Assignment& setting : command.settings) {
     if (setting.name == "samples" || setting.name == "time" || setting.name == "noise") {

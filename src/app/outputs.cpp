@@ -50,13 +50,13 @@ film::Layers Outputs::layers() const {
   return std::ranges::any_of(pictures_, is_exr) ? film::Layers::all : film::Layers::beauty;
 }
 
-bool Outputs::is_beside() const {
+bool Outputs::is_checkpoint_beside() const {
   return !checkpoint_.empty() && std::ranges::find(pictures_, checkpoint_) == pictures_.end();
 }
 
 void Outputs::check() const {
   for (const std::string& picture : pictures_) image::check_writable(picture);
-  if (is_beside()) image::check_writable(checkpoint_);
+  if (is_checkpoint_beside()) image::check_writable(checkpoint_);
 }
 
 void Outputs::write_with_checkpoint(const render::Canvas& canvas,
@@ -83,7 +83,7 @@ void Outputs::write(const render::Canvas& canvas, const Facts& facts, render::En
     }
   };
   const bool keeps =
-      !checkpoint_.empty() && (!is_beside() || ending == render::Ending::interrupted);
+      !checkpoint_.empty() && (!is_checkpoint_beside() || ending == render::Ending::interrupted);
   if (keeps) {
     attempt([&] { write_with_checkpoint(canvas, picture, facts, image::Compression::zip); });
   }
@@ -95,7 +95,7 @@ void Outputs::write(const render::Canvas& canvas, const Facts& facts, render::En
 
 void Outputs::remove_checkpoint() const {
   std::error_code ignored;  // where there is none
-  if (is_beside()) std::filesystem::remove(checkpoint_, ignored);
+  if (is_checkpoint_beside()) std::filesystem::remove(checkpoint_, ignored);
 }
 
 }  // namespace lapidary::app

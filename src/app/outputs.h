@@ -26,6 +26,10 @@ class Outputs {
   /// The file with the checkpoint; empty where none is kept.
   const std::string& checkpoint() const { return checkpoint_; }
 
+  /// Whether the checkpoint has a file of its own, which is there only until the pictures are
+  /// complete.
+  bool is_checkpoint_beside() const;
+
   /// Finds out before the work what would fail after it. Throws Error.
   void check() const;
 
@@ -47,7 +51,6 @@ class Outputs {
   void remove_checkpoint() const;
 
  private:
-  bool is_beside() const;
   void write_with_checkpoint(const render::Canvas& canvas, const image::LayeredImage& picture,
                              const Facts& facts, image::Compression compression) const;
 

@@ -119,6 +119,16 @@ render::Statistics render_watched(const RenderCommand& command, const Work& work
   return statistics;
 }
 
+void write_pictures(const Outputs& outputs, const render::Origin& origin, const Start& start,
+                    const RunStatistics& statistics) {
+  const render::Ending ending = statistics.render.ending;
+  outputs.write(start.canvas, {origin, statistics.seconds.render}, ending);
+  // A checkpoint that this render has nothing to do with is somebody else's.
+  const bool has_checkpoint =
+      start.from == Start::From::checkpoint || statistics.checkpoints.count > 0;
+  if (ending == render::Ending::complete && has_checkpoint) outputs.remove_checkpoint();
+}
+
 void warn_about_faults(const film::SampleFaults& faults, WarningLog& warnings) {
   if (faults.not_finite > 0) {
     warnings.add({}, fmt::format("{} sample values were not finite and count as black; this is a "
@@ -153,23 +163,28 @@ ExitCode run(const RenderCommand& command) {
   const Outputs outputs(outputs_of(command), command.checkpoint_seconds != 0.0
                                                  ? Outputs::Checkpoints::kept
                                                  : Outputs::Checkpoints::none);
+  if (command.blocks && outputs.is_checkpoint_beside()) {
+    throw UsageError("--blocks needs a picture that can hold its sums for `merge`",
+                     "name one that ends in .exr: -o part.exr");
+  }
   outputs.check();
   if (!command.stats_file.empty()) image::OutputFile probe(command.stats_file);
 
   RunStatistics statistics;
   WarningLog warnings;
-  InputFiles files;
+  InputFiles files;  // noted for checkpoints alone: a large mesh takes a while
+  InputFiles* const noted_files = outputs.checkpoint().empty() ? nullptr : &files;
   ThreadPool pool(command.threads);
   statistics.threads = pool.threads();
   PhaseClock clock;
-  auto description = load_scene(command.scene, command.settings, warnings, &files);
+  auto description = load_scene(command.scene, command.settings, warnings, noted_files);
   complete_scene(command.scene, description);
   statistics.size = description.render.size;
   render::check_size(statistics.size);
   statistics.seconds.load = clock.lap();
 
   const scene::Scene scene = scene::build(
-      description, {statistics.size, pool, warnings, description.render.light_choice, &files});
+      description, {statistics.size, pool, warnings, description.render.light_choice, noted_files});
   inspect::warn_about_averted_lights(description, warnings);
   inspect::warn_about_empty_solids(description, scene, warnings);
   inspect::warn_about_buried_camera(description, scene, warnings);
@@ -206,17 +221,14 @@ ExitCode run(const RenderCommand& command) {
   statistics.samples_per_pixel = start.canvas.picture().pass_count();
   statistics.seconds.render = clock.lap();
 
-  const render::Ending ending = statistics.render.ending;
-  outputs.write(start.canvas, {origin, statistics.seconds.render}, ending);
-  const bool has_checkpoint =
-      start.from == Start::From::checkpoint || statistics.checkpoints.count > 0;
-  if (ending == render::Ending::complete && has_checkpoint) outputs.remove_checkpoint();
+  write_pictures(outputs, origin, start, statistics);
   statistics.seconds.write = clock.lap();
   if (!command.stats_file.empty()) write_text(command.stats_file, to_json(statistics));
   warn_about_faults(start.canvas.picture().faults(), warnings);
   print_warnings(warnings.take());
   if (command.progress != ProgressStyle::none) print_summary(outputs.pictures(), statistics);
-  return ending == render::Ending::complete ? ExitCode::done : ExitCode::interrupted;
+  return statistics.render.ending == render::Ending::complete ? ExitCode::done
+                                                              : ExitCode::interrupted;
 }
 
 }  // namespace lapidary::app

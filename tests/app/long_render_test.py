@@ -332,7 +332,9 @@ class Merge(LongRenderTest):
             self.refuse(2, "render", "scene.lua", "--blocks=" + numbers)
         for arguments in (("--blocks", "1-2", "--samples", "8"),
                           ("--blocks", "1-2", "--render", "time=8"), ("--plan", "a.exr"),
-                          ("--checkpoint", "-1"), ("--checkpoint", "soon")):
+                          ("--blocks", "1-2", "-o", "a.png"), ("--blocks", "1-2"),
+                          ("--blocks", "1-2", "-o", "a.exr", "--checkpoint", "0"),
+                          ("--resume", "--checkpoint", "0"), ("--checkpoint", "-1"), ("--checkpoint", "soon")):
             self.refuse(2, "render", "scene.lua", *arguments)
 
 
