@@ -150,6 +150,39 @@ def rows_of_caustics(build):
                     yield f"{key}.energy", energy, "1", "-"
 
 
+def rows_of_light_radius(build):
+    """How much worse "auto" is than the better of photons and paths for lamps of several sizes over
+    the lens: errors times processor time, against pictures of many times the samples."""
+    region, seconds = "110,140,150,105", 12
+    for radius in (0.05, 0.3, 1.0):
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder)
+
+            def picture(out, method, seconds, seed):
+                options = ("--set", f"radius={radius}", "--time", str(seconds), "--samples",
+                           "1000000", "--seed", str(seed), "--threads", "1", "--render",
+                           f"caustics={method}")
+                stats = render(build, Scene("lens", "bench/scenes/lens.lua", options, "-"), folder)
+                (folder / "out.exr").rename(folder / out)
+                return stats["cpu_seconds"]
+
+            def error(*options):
+                text = subprocess.run([build / "lapidary", "compare", folder / "picture.exr",
+                                       folder / "reference.exr", "--trim", "0.001", *options],
+                                      check=True, stdout=subprocess.PIPE, text=True).stdout
+                return float(text.split()[1])
+
+            picture("reference.exr", "auto", 8 * seconds, 101)
+            costs = {}
+            for method in ("auto", "photons", "paths"):
+                taken = picture("picture.exr", method, seconds, 1)
+                costs[method] = (taken * error(), taken * error("--crop", region))
+        for i, part in enumerate(("whole", "caustic")):
+            best = min(costs["photons"][i], costs["paths"][i])
+            yield (f"caustics.light_radius.{radius:g}.{part}", costs["auto"][i] / best, "x",
+                   "<=1.3")
+
+
 def rows_of_pictures(build):
     """What share of the time of rendering a room goes to the large pictures on its walls: against
     the same room in the colours these have on average, the median of pairs."""
@@ -235,6 +268,7 @@ def measure(build, wanted):
         yield from rows_of_pictures(build)
     if wanted == "caustics":
         yield from rows_of_caustics(build)
+        yield from rows_of_light_radius(build)
     if wanted in (None, "cli"):
         yield from rows_of_command_line(build)
 
