@@ -201,6 +201,34 @@ def rows_of_caustics(build, wanted, references):
                     yield f"{key}.energy", energy, "1", "-"
 
 
+def rows_of_light_radius(build):
+    """How much worse "auto" is than the better of photons and paths for lamps of several sizes over
+    the lens: errors times processor time, against pictures of many times the samples."""
+    lens, seconds = CAUSTIC_SCENES["lens"], 12
+    for radius in (0.05, 0.3, 1.0):
+        sized = ("--set", f"radius={radius}")
+        with tempfile.TemporaryDirectory() as folder:
+            reference = pathlib.Path(folder) / "reference.exr"
+            picture = pathlib.Path(folder) / "picture.exr"
+
+            def error(*options):
+                text = subprocess.run([build / "lapidary", "compare", picture, reference, "--trim",
+                                       "0.001", *options], check=True, stdout=subprocess.PIPE,
+                                      text=True).stdout
+                return float(text.split()[1])
+
+            render_for(build, lens, reference, 8 * seconds, 101, sized)
+            costs = {}
+            for method in ("auto", "photons", "paths"):
+                taken = render_for(build, lens, picture, seconds, 1,
+                                   (*sized, *CAUSTIC_METHODS[method]))
+                costs[method] = (taken * error(), taken * error("--crop", lens.region))
+        for i, part in enumerate(("whole", "caustic")):
+            best = min(costs["photons"][i], costs["paths"][i])
+            yield (f"caustics.light_radius.{radius:g}.{part}", costs["auto"][i] / best, "x",
+                   "<=1.3")
+
+
 def rows_of_pictures(build):
     """What share of the time of rendering a room goes to the large pictures on its walls: against
     the same room in the colours these have on average, the median of pairs."""
@@ -272,7 +300,7 @@ def measure(build, wanted, references):
     groups = {path.name.removeprefix("bench_"): path
               for path in sorted(build.glob("bench_*")) if path.is_file()}
     of_caustics = ["caustics", *(f"caustics.{name}" for name in CAUSTIC_SCENES)]
-    known = sorted({*groups, *of_caustics, "cli", *(scene.group for scene in SCENES)})
+    known = sorted({*groups, *of_caustics, "caustics.light_radius", "cli", *(scene.group for scene in SCENES)})
     if wanted and wanted not in known:
         sys.exit(f"bench: no group '{wanted}'; there are {', '.join(known)}")
     for group, path in groups.items():
@@ -288,6 +316,8 @@ def measure(build, wanted, references):
     if wanted in of_caustics:
         with tempfile.TemporaryDirectory() as folder:
             yield from rows_of_caustics(build, wanted, references or pathlib.Path(folder))
+    if wanted in ("caustics", "caustics.light_radius"):
+        yield from rows_of_light_radius(build)
     if wanted in (None, "cli"):
         yield from rows_of_command_line(build)
 

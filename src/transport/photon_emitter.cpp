@@ -103,6 +103,40 @@ Vec2d square_of(const Ball& ball, Vec3d p, Vec3d direction) {
   return inside(concentric_square({dot(from, frame.tangent), dot(from, frame.bitangent)}));
 }
 
+/// The place there that a point of the unit square gives.
+Vec3d on_disc(const Ball& ball, Vec3d direction, Vec2d square) {
+  const Vec2d disk = sample_uniform_disk(square) * ball.radius;
+  const Frame frame = Frame::from_normal(direction);
+  return ball.center + frame.tangent * disk.x + frame.bitangent * disk.y;
+}
+
+/// The radius of the disk across `axis`, in the middle of the box, that is crossed by all lines
+/// from the ball to the box; the axis goes from the middle of one to that of the other. Nothing
+/// where lines come in so flat that it would be very large, or from all sides.
+std::optional<double> disc_radius(const Ball& from, Vec3d axis, const Box3d& box) {
+  constexpr double most_slope = 3.0;
+  double radius = 0.0;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const Vec3d p{corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                  corner & 4 ? box.max.z : box.min.z};
+    const double along = dot(p - from.center, axis);
+    const double aside = length(p - from.center - axis * along);
+    const double sine = from.radius / std::hypot(along, aside);
+    if (!(along > 0.0 && sine < 1.0)) return {};
+    const double slope = std::tan(std::atan2(aside, along) + std::asin(sine));
+    if (!(slope >= 0.0 && slope <= most_slope)) return {};
+    radius = std::max(radius, aside + slope * std::abs(dot(p - box.center(), axis)));
+  }
+  return radius;
+}
+
+/// Of other lights the surface at a place that was drawn is known only when a ray has met it.
+bool knows_density_by_place(const light::Light& light) {
+  return std::holds_alternative<light::SphereLight>(light) ||
+         std::holds_alternative<light::RectangleLight>(light) ||
+         std::holds_alternative<light::DiskLight>(light);
+}
+
 /// Whether the line through p along `direction` passes through the ball.
 bool passes_through(const Ball& ball, Vec3d p, Vec3d direction) {
   const Vec3d to = p - ball.center;
@@ -253,7 +287,12 @@ void PhotonEmitter::add_proposals(std::uint32_t index, std::vector<double>& weig
     const double reaches =
         std::clamp(irradiance * pi * ball.radius * ball.radius, least_reaching * whole, whole);
     const double weight = reaches * targets_[i].share;
-    proposals_.push_back({index, i, cone});
+    proposals_.push_back({index, i, cone, {}});
+    if (knows_density_by_place(light)) {
+      const Vec3d axis = normalize(ball.center - own->center);
+      const auto radius = disc_radius(*own, axis, targets_[i].box);
+      if (radius) proposals_.back().disc = Disc{axis, *radius};
+    }
     weights.push_back(weight);
     aimed += weight;
   }
@@ -262,7 +301,7 @@ void PhotonEmitter::add_proposals(std::uint32_t index, std::vector<double>& weig
   if (influence.reach == light::Influence::Reach::in_cone) {
     lobe = {influence.front, std::min(2.0, 1.0 - influence.normal_cosine + 1e-9)};
   }
-  proposals_.push_back({index, no_target, lobe});
+  proposals_.push_back({index, no_target, lobe, {}});
   weights.push_back(aim_ == Aim::casters ? aimed * unaimed_share / (1.0 - unaimed_share) : whole);
 }
 
@@ -270,17 +309,38 @@ std::span<const PhotonEmitter::Proposal> PhotonEmitter::proposals_of(std::uint32
   return std::span(proposals_).subspan(first_[light], first_[light + 1] - first_[light]);
 }
 
-double PhotonEmitter::density_of_directions(std::uint32_t light, Vec3d direction) const {
+double PhotonEmitter::density_of_rays(std::uint32_t light, Vec3d direction,
+                                      const light::LightHit& hit, double pdf_on_light) const {
   double sum = 0.0;
   for (const Proposal& proposal : proposals_of(light)) {
+    if (proposal.disc) {
+      sum += density_through(proposal, direction, hit);
+      continue;
+    }
     const Cone& cone = proposal.cone;
     // As pdf_uniform_cone, which wants local coordinates: the chord keeps narrow cones exact.
     const double height = 0.5 * length_squared(direction - cone.axis);
     if (!(height <= cone.one_minus_cos * (1.0 + 1e-12))) continue;
-    const double uniform = proposal.probability * pdf_uniform_cone(cone.one_minus_cos);
+    const double uniform =
+        proposal.probability * pdf_uniform_cone(cone.one_minus_cos) * pdf_on_light;
     sum += proposal.guide ? uniform * proposal.density(square_of(cone, direction)) : uniform;
   }
   return sum;
+}
+
+double PhotonEmitter::density_through(const Proposal& proposal, Vec3d direction,
+                                      const light::LightHit& hit) const {
+  const auto& [axis, radius] = *proposal.disc;
+  const double cosine = dot(direction, axis);
+  if (!(cosine > 0.0)) return 0.0;
+  const Vec3d center = ball_of(proposal).center;
+  const Vec3d place = hit.point + direction * (dot(center - hit.point, axis) / cosine);
+  if (!(length_squared(place - center) <= radius * radius)) return 0.0;
+  const double arrives =
+      light::pdf_illumination(scene_.lights()[proposal.light], place, -direction, hit);
+  const double on_disc =
+      proposal.density(square_of({center, radius}, place, axis)) / (pi * radius * radius);
+  return proposal.probability * arrives * on_disc / cosine;
 }
 
 double PhotonEmitter::density_of_places(std::uint32_t light, Vec3d p, Vec3d direction) const {
@@ -306,11 +366,13 @@ std::optional<PhotonEmitter::Emission> PhotonEmitter::sample(const Numbers& numb
   const DiscreteDistribution::Sample choice = chosen_->sample(numbers.proposal);
   const Proposal& proposal = proposals_[choice.index];
   const bool is_infinite = light::is_infinite(scene_.lights()[proposal.light]);
-  const Vec2d u = is_infinite ? numbers.place : numbers.direction;
+  const Vec2d u = is_infinite || proposal.disc ? numbers.place : numbers.direction;
   const Origin origin{static_cast<std::uint32_t>(choice.index),
                       proposal.guide ? proposal.guide->sample(u).point : u};
   auto emission = is_infinite ? sample_infinite(origin, numbers, choice.remainder, wavelengths)
-                              : sample_finite(origin, numbers, choice.remainder, wavelengths);
+                  : proposal.disc
+                      ? sample_through_disc(origin, numbers, choice.remainder, wavelengths)
+                      : sample_finite(origin, numbers, choice.remainder, wavelengths);
   if (emission) emission->ray.time = numbers.time;
   return emission;
 }
@@ -335,13 +397,38 @@ std::optional<PhotonEmitter::Emission> PhotonEmitter::sample_finite(
   const auto from = light::sample_departure(scene_.lights()[proposal.light], direction,
                                             {part, numbers.place, numbers.time}, wavelengths);
   if (!from || !may_meet(from->point, direction)) return {};
-  const double density = from->pdf * density_of_directions(proposal.light, direction);
+  const light::LightHit at{from->point, from->normal, {}, numbers.time};
+  const double density = density_of_rays(proposal.light, direction, at, from->pdf);
   if (!(density > 0.0 && std::isfinite(density))) return {};
   Emission emission = emission_of(origin, from->L, density, from->extent);
   emission.ray.origin = from->point;
   emission.ray.direction = direction;
   emission.on_leaf = from->on_leaf;
   emission.from_surface = from->extent == light::Extent::area;
+  return emission;
+}
+
+std::optional<PhotonEmitter::Emission> PhotonEmitter::sample_through_disc(
+    const Origin& origin, const Numbers& numbers, double part,
+    const Wavelengths& wavelengths) const {
+  const Proposal& proposal = proposals_[origin.proposal];
+  const light::Light& light = scene_.lights()[proposal.light];
+  const auto& [axis, radius] = *proposal.disc;
+  const Vec3d place = on_disc({ball_of(proposal).center, radius}, axis, origin.square);
+  const auto from = light::sample_illumination(
+      light, place, {part, numbers.direction, numbers.time}, wavelengths);
+  if (!from) return {};
+  const Vec3d direction = -from->wi, point = place + from->wi * from->distance;
+  if (!may_meet(point, direction)) return {};
+  // These lights ask a normal for its side alone.
+  const light::LightHit at{point, direction, {}, numbers.time};
+  const double density =
+      density_of_rays(proposal.light, direction, at, light::pdf_departure(light, direction, at));
+  if (!(density > 0.0 && std::isfinite(density))) return {};
+  Emission emission = emission_of(origin, from->L, density, from->extent);
+  emission.ray.origin = point;
+  emission.ray.direction = direction;
+  emission.from_surface = true;
   return emission;
 }
 
@@ -355,9 +442,7 @@ std::optional<PhotonEmitter::Emission> PhotonEmitter::sample_infinite(
                                  {part, numbers.direction, numbers.time}, wavelengths);
   if (!from) return {};
   const Vec3d direction = -from->wi;
-  const Vec2d disk = sample_uniform_disk(origin.square) * ball.radius;
-  const Frame frame = Frame::from_normal(direction);
-  const Vec3d across = ball.center + frame.tangent * disk.x + frame.bitangent * disk.y;
+  const Vec3d across = on_disc(ball, direction, origin.square);
   // From behind everything, as seen along the ray.
   const double back = dot(across - around_.center, direction) + 1.01 * around_.radius;
   const Vec3d start = across - direction * back;
@@ -377,7 +462,7 @@ double PhotonEmitter::density(std::uint32_t index, Vec3d p, Vec3d wi,
   if (light::is_infinite(light)) {
     return light::pdf_illumination(light, p, wi, hit) * density_of_places(index, p, -wi);
   }
-  return light::pdf_departure(light, -wi, hit) * density_of_directions(index, -wi);
+  return density_of_rays(index, -wi, hit, light::pdf_departure(light, -wi, hit));
 }
 
 }  // namespace lapidary::transport

@@ -24,9 +24,12 @@ enum class Aim {
 /// none. From a light of finite extent the direction is uniform in the cone that holds all
 /// directions from the light's ball to the target's, and the place is chosen among those that shine
 /// along it, by projected area where the light can do so: all photons of a sphere then have the
-/// same power. From infinite lights the direction is the light's own choice, and the place uniform
-/// on the target's disc across it. The density of a photon is that of all proposals of its light
-/// together; misses of all targets are known before anything is traced, and count as emitted.
+/// same power. Of a ball, a rectangle or a disk, which may be larger than the target so that most
+/// of these places would miss it, a place on the target's disc comes first, across the way from one
+/// middle to the other, and light that arrives there. From infinite lights the direction is the
+/// light's own choice, and the place uniform on the target's disc across it. The density of a
+/// photon is that of all proposals of its light together; misses of all targets are known before
+/// anything is traced, and count as emitted.
 ///
 /// What photons of a first phase did teaches the emitter which proposals, and within them which
 /// directions or places, are worth most; a share stays as it was. Source: after Grittmann et al.
@@ -53,7 +56,7 @@ class PhotonEmitter {
     double time = 0;  ///< of the frame
   };
   /// What a photon was drawn as: a point of the unit square of its proposal, which stands for its
-  /// direction or, of infinite lights, for its place.
+  /// direction or, where that comes first, for its place at the target.
   struct Origin {
     std::uint32_t proposal = 0;
     Vec2d square;
@@ -100,10 +103,16 @@ class PhotonEmitter {
     Vec3d axis{0, 0, 1};
     double one_minus_cos = 2;
   };
+  /// A disk across the way from a light to a target.
+  struct Disc {
+    Vec3d axis;         ///< of that way; unit
+    double radius = 0;  ///< all lines from the light's ball to the target's box cross it
+  };
   struct Proposal {
     std::uint32_t light = 0;
     std::uint32_t target = no_target;
-    Cone cone;  ///< of finite lights
+    Cone cone;                 ///< of finite lights
+    std::optional<Disc> disc;  ///< where a place at the target comes first
     double probability = 0;
     std::optional<PiecewiseConstant2D> guide;  ///< over the square; uniform before it has learned
 
@@ -114,12 +123,19 @@ class PhotonEmitter {
   void add_proposals(std::uint32_t light, std::vector<double>& weights);
   /// What the proposals of a light do together.
   std::span<const Proposal> proposals_of(std::uint32_t light) const;
-  double density_of_directions(std::uint32_t light, Vec3d direction) const;
+  /// Of a ray that leaves a finite light at `hit`, where its place on the light is drawn with
+  /// `pdf_on_light` along its direction.
+  double density_of_rays(std::uint32_t light, Vec3d direction, const light::LightHit& hit,
+                         double pdf_on_light) const;
+  double density_through(const Proposal& proposal, Vec3d direction,
+                         const light::LightHit& hit) const;
   double density_of_places(std::uint32_t light, Vec3d p, Vec3d direction) const;
   double density_of_cell(std::size_t proposal, std::size_t cell) const;
   void set_probabilities(std::span<const double> weights);
   std::optional<Emission> sample_finite(const Origin& origin, const Numbers& numbers, double part,
                                         const Wavelengths& wavelengths) const;
+  std::optional<Emission> sample_through_disc(const Origin& origin, const Numbers& numbers,
+                                              double part, const Wavelengths& wavelengths) const;
   std::optional<Emission> sample_infinite(const Origin& origin, const Numbers& numbers, double part,
                                           const Wavelengths& wavelengths) const;
   /// All of it but the ray and what the light's surface has to do with it.

@@ -83,6 +83,31 @@ TEST(PhotonEmitter, LearningMovesPhotonsAndKeepsTheirLight) {
   EXPECT_LT(before.flux.standard_error(), 0.01 * before.flux.mean());
 }
 
+// Of the places on a lamp of radius 1 that shine along a direction one in twelve has the ball
+// before it, and few directions any: places on the target have the lamp before them.
+TEST(PhotonEmitter, LargeLampsDoNotMissSmallTargets) {
+  const auto aimed = [](TinyScene tiny) {
+    const scene::Scene scene = tiny.add(geometry::Sphere{{0.1, 0, 0}, 0.3}, glass(1.5)).build();
+    const PhotonEmitter emitter(scene);
+    constexpr int count = 4000;
+    Random random(5);
+    int met = 0;
+    for (int i = 0; i < count; ++i) {
+      const auto emission = emitter.sample(numbers(random), Wavelengths::sample(0.3));
+      if (!emission) continue;
+      const Vec3d to = Vec3d{0.1, 0, 0} - emission->ray.origin;
+      const double along = dot(to, emission->ray.direction);
+      if (along > 0.0 && length_squared(to) - along * along < 0.3 * 0.3) ++met;
+    }
+    return static_cast<double>(met) / count;
+  };
+  EXPECT_GT(aimed(TinyScene().add(geometry::Sphere{{0, 0, 2.5}, 1.0}, lamp(1.0))), 0.15);
+  EXPECT_GT(aimed(TinyScene().add(geometry::Disk{{0, 0, 2}, {0, 0.1, -1}, 1.0}, lamp(1.0))), 0.15);
+  EXPECT_GT(aimed(TinyScene().add(geometry::Rectangle{{-0.8, -0.8, 2.5}, {0, 1.6, 0}, {1.6, 0, 0}},
+                                  lamp(1.0))),
+            0.15);
+}
+
 TEST(PhotonEmitter, LessonsThatAreWorthNothingChangeNothing) {
   const scene::Scene scene = lamps().build();
   PhotonEmitter emitter(scene);
