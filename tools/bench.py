@@ -170,8 +170,10 @@ def rows_of_caustics(build, wanted, references):
         halves = [references / f"{name}.{half}.exr" for half in "ab"]
         for seed, half in enumerate(halves, 901):
             if not half.exists():
-                render_for(build, scene, half, scene.reference_seconds, seed,
+                unfinished = half.with_suffix(".part.exr")
+                render_for(build, scene, unfinished, scene.reference_seconds, seed,
                            ("--render", "photon_radius=1.4"))
+                unfinished.rename(half)
 
         def compared(a, b, *options):
             text = subprocess.run([build / "lapidary", "compare", a, b, *options], check=True,

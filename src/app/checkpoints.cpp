@@ -1,6 +1,8 @@
 #include "app/checkpoints.h"
 
 #include <algorithm>
+#include <new>
+#include <string_view>
 
 #include <fmt/core.h>
 
@@ -31,16 +33,20 @@ void Checkpoints::block_done(const render::Canvas& canvas,
   const Clock::time_point begin = Clock::now();
   const double cost = cost_ < 0 ? estimated_cost(canvas) : cost_;
   if (seconds_between(last_, begin) < interval_.value_or(default_interval(cost))) return;
+  const auto fail = [&](std::string_view why) {
+    if (!is_failing_) {
+      warn(fmt::format("{}; rendering goes on, and the checkpoint before this one stays", why));
+    }
+    is_failing_ = true;
+  };
   try {
     outputs_.write_checkpoint(canvas, {origin_, seconds_between(start_, begin)});
     is_failing_ = false;
     ++written_.count;
   } catch (const Error& error) {
-    if (!is_failing_) {
-      warn(fmt::format("{}; rendering goes on, and the checkpoint before this one stays",
-                       error.what()));
-    }
-    is_failing_ = true;
+    fail(error.what());
+  } catch (const std::bad_alloc&) {
+    fail("there is not enough memory to write a checkpoint");
   }
   last_ = Clock::now();
   cost_ = seconds_between(begin, last_);

@@ -44,6 +44,12 @@ class Merging {
  public:
   void add(const std::string& file) {
     Checkpoint part = render::read_checkpoint(file);
+    if (part.origin.version != LAPIDARY_VERSION) {
+      throw DifferentPicture(
+          fmt::format("{}: the part is of another version of Lapidary", file),
+          {fmt::format("Lapidary {}, now {}", part.origin.version, LAPIDARY_VERSION)},
+          "merge with the version that rendered it");
+    }
     if (!whole_) {
       whole_.emplace(part.origin,
                      Canvas(film::Film(part.canvas.film().settings()), part.canvas.plan()));
@@ -116,7 +122,7 @@ ExitCode run(const MergeCommand& command) {
   WarningLog warnings;
   const Checkpoint whole = merging.finish(warnings);
   print_warnings(warnings.take());
-  outputs.write(whole.canvas, {whole.origin, 0.0}, render::Ending::complete);
+  outputs.write(whole.canvas, {whole.origin, 0.0}, Outputs::Completion::complete);
   for (const std::string& picture : outputs.pictures()) {
     fmt::print(stderr, "{}: {}x{}, {} samples per pixel of {} parts\n", picture,
                whole.canvas.film().width(), whole.canvas.film().height(),

@@ -71,7 +71,7 @@ void Outputs::write_checkpoint(const render::Canvas& canvas, const Facts& facts)
   write_with_checkpoint(canvas, film::develop(canvas.picture()), facts, image::Compression::none);
 }
 
-void Outputs::write(const render::Canvas& canvas, const Facts& facts, render::Ending ending) const {
+void Outputs::write(const render::Canvas& canvas, const Facts& facts, Completion completion) const {
   const image::LayeredImage picture = film::develop(canvas.picture());
   const image::WriteOptions options = write_options(canvas, facts);
   std::exception_ptr problem;
@@ -82,15 +82,17 @@ void Outputs::write(const render::Canvas& canvas, const Facts& facts, render::En
       if (!problem) problem = std::current_exception();
     }
   };
-  const bool keeps =
-      !checkpoint_.empty() && (!is_checkpoint_beside() || ending == render::Ending::interrupted);
-  if (keeps) {
-    attempt([&] { write_with_checkpoint(canvas, picture, facts, image::Compression::zip); });
-  }
+  const auto keep = [&] { write_with_checkpoint(canvas, picture, facts, image::Compression::zip); };
+  const bool keeps = !checkpoint_.empty() &&
+                     (!is_checkpoint_beside() || completion == Completion::to_be_continued);
+  if (keeps) attempt(keep);
   for (const std::string& file : pictures_) {
     if (file != checkpoint_) attempt([&] { image::write_image(file, picture, options); });
   }
-  if (problem) std::rethrow_exception(problem);
+  if (!problem) return;
+  // What was rendered must not be lost with a picture that has no room.
+  if (is_checkpoint_beside() && !keeps) attempt(keep);
+  std::rethrow_exception(problem);
 }
 
 void Outputs::remove_checkpoint() const {

@@ -7,7 +7,6 @@
 #include "image/image_io.h"
 #include "render/canvas.h"
 #include "render/origin.h"
-#include "render/render.h"
 
 namespace lapidary::app {
 
@@ -16,6 +15,8 @@ namespace lapidary::app {
 class Outputs {
  public:
   enum class Checkpoints { kept, none };
+  /// Whether a render has come to where it was to go.
+  enum class Completion { complete, to_be_continued };
 
   /// At least one picture.
   Outputs(std::vector<std::string> pictures, Checkpoints checkpoints);
@@ -42,10 +43,10 @@ class Outputs {
   /// Error, and then the file is as it was.
   void write_checkpoint(const render::Canvas& canvas, const Facts& facts) const;
 
-  /// Writes all files; a checkpoint beside the pictures only for a render that was interrupted.
-  /// Files that cannot be written do not keep it from the others: throws the first Error after
-  /// them.
-  void write(const render::Canvas& canvas, const Facts& facts, render::Ending ending) const;
+  /// Writes all files; a checkpoint beside the pictures only where these are not complete, or
+  /// cannot be written. One that cannot does not keep it from the others: throws the first Error
+  /// after them.
+  void write(const render::Canvas& canvas, const Facts& facts, Completion completion) const;
 
   /// Removes a checkpoint that is beside the pictures, if there is one: they are complete.
   void remove_checkpoint() const;

@@ -119,14 +119,23 @@ render::Statistics render_watched(const RenderCommand& command, const Work& work
   return statistics;
 }
 
+/// A render that ran out of time is to go on if it was to have more samples, or goes on already.
+Outputs::Completion completion_of(const RenderCommand& command, const render::StopRules& rules,
+                                  render::Ending ending) {
+  const bool has_aim = rules.samples || rules.noise || rules.only || command.resumes;
+  const bool is_cut_short = ending == render::Ending::out_of_time && has_aim;
+  return ending == render::Ending::interrupted || is_cut_short
+             ? Outputs::Completion::to_be_continued
+             : Outputs::Completion::complete;
+}
+
 void write_pictures(const Outputs& outputs, const render::Origin& origin, const Start& start,
-                    const RunStatistics& statistics) {
-  const render::Ending ending = statistics.render.ending;
-  outputs.write(start.canvas, {origin, statistics.seconds.render}, ending);
+                    const RunStatistics& statistics, Outputs::Completion completion) {
+  outputs.write(start.canvas, {origin, statistics.seconds.render}, completion);
   // A checkpoint that this render has nothing to do with is somebody else's.
   const bool has_checkpoint =
       start.from == Start::From::checkpoint || statistics.checkpoints.count > 0;
-  if (ending == render::Ending::complete && has_checkpoint) outputs.remove_checkpoint();
+  if (completion == Outputs::Completion::complete && has_checkpoint) outputs.remove_checkpoint();
 }
 
 void warn_about_faults(const film::SampleFaults& faults, WarningLog& warnings) {
@@ -221,14 +230,15 @@ ExitCode run(const RenderCommand& command) {
   statistics.samples_per_pixel = start.canvas.picture().pass_count();
   statistics.seconds.render = clock.lap();
 
-  write_pictures(outputs, origin, start, statistics);
+  write_pictures(outputs, origin, start, statistics,
+                 completion_of(command, work.rules, statistics.render.ending));
   statistics.seconds.write = clock.lap();
   if (!command.stats_file.empty()) write_text(command.stats_file, to_json(statistics));
   warn_about_faults(start.canvas.picture().faults(), warnings);
   print_warnings(warnings.take());
   if (command.progress != ProgressStyle::none) print_summary(outputs.pictures(), statistics);
-  return statistics.render.ending == render::Ending::complete ? ExitCode::done
-                                                              : ExitCode::interrupted;
+  return statistics.render.ending == render::Ending::interrupted ? ExitCode::interrupted
+                                                                 : ExitCode::done;
 }
 
 }  // namespace lapidary::app

@@ -69,6 +69,9 @@ render::Origin origin_of(const RenderCommand& command,
                         {},
                         files.relative_to(scene.parent_path())};
   for (const Assignment& parameter : command.scene.parameters) {
+    // Of several for one name the last counts.
+    std::erase_if(origin.parameters,
+                  [&](const auto& earlier) { return earlier.first == parameter.name; });
     origin.parameters.emplace_back(parameter.name, parameter.value);
   }
   if (command.scene.up) {

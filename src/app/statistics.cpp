@@ -47,7 +47,7 @@ std::string to_json(const RunStatistics& s) {
   const render::BlockTally& tally = s.render.tally;
   nlohmann::ordered_json json = {
       {"version", LAPIDARY_VERSION},
-      {"ended", s.render.ending == render::Ending::complete ? "complete" : "interrupted"},
+      {"ended", s.render.ending == render::Ending::interrupted ? "interrupted" : "complete"},
       {"scene",
        {{"objects", s.scene.objects},
         {"operands", s.scene.operands},

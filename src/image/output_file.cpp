@@ -16,11 +16,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Unique in this process and among the processes of this machine; short, so that it fits
-/// whatever the length of the final name.
+/// Another one at every call, short, so that it fits whatever the length of the final name.
 fs::path temporary_name() {
   static std::atomic<unsigned> counter{0};
   return fmt::format(".lapidary-{}-{}.part", ::getpid(), counter++);
+}
+
+/// Calls `make(name)` with names in the folder until one is free: processes of other machines and
+/// containers may have the same number, and one that was killed may have left its file.
+template <typename Make>
+fs::path make_temporary(const fs::path& folder, const Make& make) {
+  constexpr int most_tries = 10'000;
+  for (int i = 0; i < most_tries; ++i) {
+    const fs::path name = folder / temporary_name();
+    if (make(name)) return name;
+    if (errno != EEXIST) break;
+  }
+  return {};
 }
 
 /// Refuses what `rename` would replace although nobody can want that.
@@ -81,8 +93,10 @@ OutputFile::OutputFile(const fs::path& path) : path_(path), target_(path) {
 
   int descriptor = open_nameless(folder);
   if (descriptor < 0) {
-    temporary_ = folder / temporary_name();
-    descriptor = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    temporary_ = make_temporary(folder, [&](const fs::path& name) {
+      descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      return descriptor >= 0;
+    });
   }
   if (descriptor < 0) {
     const int reason = errno;
@@ -128,12 +142,11 @@ void OutputFile::commit() {
 }
 
 void OutputFile::give_name() {
-  const fs::path name = folder_of(target_) / temporary_name();
   const std::string open_file = fmt::format("/proc/self/fd/{}", ::fileno(file_.get()));
-  if (::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) {
-    fail(errno);
-  }
-  temporary_ = name;
+  temporary_ = make_temporary(folder_of(target_), [&](const fs::path& name) {
+    return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+  });
+  if (temporary_.empty()) fail(errno);
 }
 
 void OutputFile::fail(int error_number) const {

@@ -56,8 +56,11 @@ struct Texts {
 /// What differs. Of a name that is there twice all texts count.
 std::map<std::string, Texts> changed(const NamedTexts& then, const NamedTexts& now) {
   std::map<std::string, Texts> both;
-  for (const auto& [name, text] : then) both[name].then = both[name].then.value_or("") + text;
-  for (const auto& [name, text] : now) both[name].now = both[name].now.value_or("") + text;
+  const auto add = [](std::optional<std::string>& all, const std::string& text) {
+    all = all ? *all + "\n" + text : text;
+  };
+  for (const auto& [name, text] : then) add(both[name].then, text);
+  for (const auto& [name, text] : now) add(both[name].now, text);
   std::erase_if(both, [](const auto& entry) { return entry.second.then == entry.second.now; });
   return both;
 }

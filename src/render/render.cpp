@@ -102,6 +102,15 @@ class Run {
   double seconds() const { return watch_.seconds(); }
   double noise() const { return noise_; }
 
+  /// Of a render that has nothing left to do, or no time to do it.
+  Ending ending() const {
+    const film::PassSet& passes = canvas_.picture().passes();
+    const std::uint32_t from = rules_.only ? rules_.only->begin : 0;
+    const bool has_samples = last_pass() && passes.first_missing(from) >= *last_pass();
+    const bool is_fine = rules_.noise && noise_ <= *rules_.noise;
+    return has_samples || is_fine ? Ending::complete : Ending::out_of_time;
+  }
+
  private:
   std::optional<std::uint32_t> last_pass() const {
     return rules_.only ? rules_.only->end : rules_.samples;
@@ -119,8 +128,8 @@ class Run {
     std::optional<double> left;
     const auto consider = [&](double s) { left = std::max(0.0, left ? std::min(*left, s) : s); };
     const auto passes = static_cast<double>(canvas_.picture().pass_count());
+    const double per_pass = last_ / (passes - static_cast<double>(passes_before_));
     if (const auto end = last_pass()) {
-      const double per_pass = last_ / (passes - static_cast<double>(passes_before_));
       const std::uint32_t begin = rules_.only ? rules_.only->begin : 0;
       consider(per_pass * (static_cast<double>(*end - begin) - passes));
     }
@@ -128,7 +137,7 @@ class Run {
     // The error of a mean falls with the square root of the number of samples.
     if (rules_.noise && std::isfinite(noise_)) {
       const double ratio = noise_ / *rules_.noise;
-      consider(last_ * (ratio * ratio - 1.0));
+      consider(per_pass * passes * (ratio * ratio - 1.0));
     }
     return left;
   }
@@ -228,9 +237,10 @@ Statistics render(const BlockRenderer& renderer, const StopRules& rules, const C
                   Canvas& canvas, ThreadPool& pool) {
   Run run(rules, canvas);
   Statistics statistics;
+  bool is_stopped = false;
   for (PassRange next = run.next_passes(); !next.is_empty(); next = run.next_passes()) {
     if (control.stop != nullptr && *control.stop && !canvas.film().passes().is_empty()) {
-      statistics.ending = Ending::interrupted;
+      is_stopped = true;
       break;
     }
     run.begin_block();
@@ -244,6 +254,7 @@ Statistics render(const BlockRenderer& renderer, const StopRules& rules, const C
     if (control.on_progress) control.on_progress(run.progress());
     if (!is_whole) break;
   }
+  statistics.ending = is_stopped ? Ending::interrupted : run.ending();
   statistics.seconds = run.seconds();
   statistics.noise = run.noise();
   return statistics;

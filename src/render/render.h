@@ -60,7 +60,11 @@ struct Control {
   const std::atomic<bool>* stop = nullptr;  ///< set: end after the running block
 };
 
-enum class Ending { complete, interrupted };
+enum class Ending {
+  complete,     ///< with the samples or at the noise asked for
+  out_of_time,  ///< before that, if any was asked for
+  interrupted,
+};
 
 struct Statistics {
   Ending ending = Ending::complete;

@@ -169,6 +169,10 @@ Caustics::SmallPicture::Pixel Caustics::SmallPicture::render(const Caustics& cau
     const std::size_t before = pixel.gathered.size();
     FirstSurface first;
     const double radiance = tracer.radiance(*ray, context, first).average();
+    if (!std::isfinite(radiance)) {
+      pixel.gathered.resize(before);
+      continue;
+    }
     double of_path = radiance;
     for (std::size_t g = before; g < pixel.gathered.size(); ++g) {
       of_path -= pixel.gathered[g].radiance;

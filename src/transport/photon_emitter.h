@@ -68,7 +68,8 @@ class PhotonEmitter {
     double worth = 0;
   };
   /// Learns from the photons of `emitted` that were worth anything. Of all densities, the one in
-  /// proportion to the root of the mean square has the least variance. Once, before it is shared.
+  /// proportion to the root of the mean square has the least variance. Before it is
+  /// shared; a second time refines it.
   void learn(std::span<const Lesson> lessons, std::uint32_t emitted);
 
   /// Light that has left a light.

@@ -149,6 +149,20 @@ class Resume(LongRenderTest):
         stats = json.loads((self.folder / "s.json").read_text())
         self.assertGreater(stats["samples_per_pixel"], stats["samples_before"], done.stderr)
 
+    def test_runs_out_of_time_with_a_checkpoint_beside(self):
+        run = ("a.png", "--samples", "100000", "--time", "0.3", "--resume", "--stats", "s.json")
+        self.render(*run)
+        before = json.loads((self.folder / "s.json").read_text())["samples_per_pixel"]
+        self.assertTrue((self.folder / "a.checkpoint.exr").exists())
+        self.render(*run)
+        self.assertEqual(json.loads((self.folder / "s.json").read_text())["samples_before"], before)
+        self.render("b.png", "--time", "0.3")
+        self.assertFalse((self.folder / "b.checkpoint.exr").exists())
+
+    def test_the_last_of_two_assignments_counts(self):
+        self.render("a.exr", "--samples", "4", "--set", "shade=0.2", "--set", "shade=0.5")
+        self.render("a.exr", "--samples", "8", "--resume", "--set", "shade=0.5")
+
     def test_leaves_files_of_others_alone(self):
         self.write("a.checkpoint.exr", "not ours")
         self.render("a.png", "--samples", "4")
@@ -231,6 +245,10 @@ class ResumeRefused(LongRenderTest):
         self.assertIn(stated + version, whole)
         (self.folder / "a.exr").write_bytes(whole.replace(stated + version, stated + b"9.9.9"))
         self.assertIn("\n  Lapidary 9.9.9, now " + version.decode(), self.refuse(5, *resume))
+        (self.folder / "part.exr").write_bytes(
+            whole.replace(stated + version, stated + b"9.9.9"))
+        self.assertIn("\n  Lapidary 9.9.9, now " + version.decode(),
+                      self.refuse(5, "merge", "part.exr", "-o", "whole.exr"))
         format_1 = b"checkpoint\0double\0\x08\0\0\0" + b"\0\0\0\0\0\0\xf0\x3f"
         self.assertIn(format_1, whole)
         (self.folder / "a.exr").write_bytes(
