@@ -51,7 +51,13 @@ TEST(Render, NeverStopsBeforeABlockIsWhole) {
   const auto statistics = run({.seconds = 0.0}, {.stop = &stop});
   EXPECT_EQ(run.film().pass_count(), 4u);
   EXPECT_EQ(run.film().blocks(), 1u);
-  EXPECT_EQ(statistics.ending, render::Ending::complete);
+  EXPECT_EQ(statistics.ending, render::Ending::out_of_time);
+}
+
+TEST(Render, IsCompleteOnlyWithWhatWasAskedFor) {
+  EXPECT_EQ(SmallRender()({.samples = 4, .seconds = 0.0}).ending, render::Ending::complete);
+  EXPECT_EQ(SmallRender()({.samples = 5, .seconds = 0.0}).ending, render::Ending::out_of_time);
+  EXPECT_EQ(SmallRender()({.seconds = 60.0, .noise = 1e9}).ending, render::Ending::complete);
 }
 
 TEST(Render, StopsWhenItIsTold) {
