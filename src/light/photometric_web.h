@@ -19,7 +19,11 @@ namespace lapidary::light {
 /// plane: of type A the polar axis is x, of type B it is y.
 ///
 /// Between the angles of the table the intensity is linear in both, beyond them there is none.
-/// Source: ANSI/IES LM-63-2019; LM-75.
+/// Source: ANSI/IESNA LM-63-2002, section 3: planes of types A and C share a vertical axis, those
+/// of type B a horizontal one; horizontal angles go clockwise for types A and B, as seen from
+/// above, counter-clockwise for type C; of type A the vertical angle is -90 degrees straight down.
+/// A lamp of type B is looked at there as it faces down, where both angles are 0: the same lamp,
+/// turned.
 class PhotometricWeb {
  public:
   enum class Type { c, b, a };

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "texture/lookup.h"
+#include "texture/uv_footprint.h"
 
 namespace lapidary::texture {
 
@@ -45,6 +46,14 @@ inline Place tiled(const Mapping& mapping, const Place& place) {
   const Vec3d moved = place.p - Vec3d(mapping.shift.x, mapping.shift.y, 0.0);
   const auto scaled = [times](Vec3d v) { return Vec3d(v.x * times.x, v.y * times.y, v.z); };
   return {scaled(moved), scaled(place.dx), scaled(place.dy)};
+}
+
+/// The same in two dimensions, of what lies in the surface's own coordinates.
+inline UvFootprint tiled(const Mapping& mapping, const UvFootprint& footprint) {
+  const auto scaled = [times = mapping.repeats](Vec2d v) {
+    return Vec2d{v.x * times.x, v.y * times.y};
+  };
+  return {scaled(footprint.uv - mapping.shift), scaled(footprint.dx), scaled(footprint.dy)};
 }
 
 /// What `look(place)`, a value with sums and multiples by float, finds through `mapping`.

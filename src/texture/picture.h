@@ -32,14 +32,21 @@ inline Rgb shown(const Picture& picture, const UvFootprint& footprint, Lookup::C
 template <typename Palette>
 typename Palette::Value color(const Picture& picture, const Palette& palette,
                               const Lookup& lookup) {
-  const auto flat = [](Vec3d v) { return Vec2d{v.x, v.y}; };
-  return palette.of(mapped(picture.mapping, lookup, [&](const Place& place) {
-    const UvFootprint footprint{flat(place.p), flat(place.dx), flat(place.dy)};
+  const auto look = [&](const UvFootprint& footprint) {
     Lookup::Shown& last = lookup.shown;
     if (last.picture != &picture || last.uv != footprint.uv || last.care != lookup.care) {
       last = {&picture, footprint.uv, lookup.care, shown(picture, footprint, lookup.care)};
     }
     return last.color;
+  };
+  const Mapping& mapping = picture.mapping;
+  // Most pictures lie in the surface's own coordinates, and need no detour through space.
+  if (mapping.projection == Projection::uv) {
+    return palette.of(look(tiled(mapping, UvFootprint{lookup.uv, lookup.duvdx, lookup.duvdy})));
+  }
+  const auto flat = [](Vec3d v) { return Vec2d{v.x, v.y}; };
+  return palette.of(mapped(mapping, lookup, [&](const Place& place) {
+    return look({flat(place.p), flat(place.dx), flat(place.dy)});
   }));
 }
 

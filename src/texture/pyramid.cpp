@@ -68,42 +68,49 @@ Image halved(const Image& picture, Vec2i size) {
   return half;
 }
 
-/// Of all sizes of a picture, in order.
-std::vector<Vec2i> sizes_of(const Image& picture) {
-  std::vector<Vec2i> sizes{{picture.width, picture.height}};
-  while (sizes.back() != Vec2i{1, 1}) {
-    const Vec2i last = sizes.back();
-    sizes.push_back({std::max(1, last.x / 2), std::max(1, last.y / 2)});
-  }
-  return sizes;
-}
-
-std::size_t pixel_count(const Image& picture) {
-  std::size_t count = 0;
-  for (const Vec2i size : sizes_of(picture)) {
-    count += static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-  }
-  return count;
-}
-
 }  // namespace
 
+std::vector<Pyramid::Level> Pyramid::levels_of(const Image& picture) {
+  std::vector<Level> levels{{picture.width, picture.height, 0}};
+  for (;;) {
+    const Level last = levels.back();
+    if (last.width == 1 && last.height == 1) return levels;
+    levels.push_back(
+        {std::max(1, last.width / 2), std::max(1, last.height / 2), last.first + last.room()});
+  }
+}
+
 Pyramid::Pyramid(const Image& picture)
-    : channels_(picture.channels == 3 && !is_grey(picture) ? 3 : 1),
-      texels_(picture.pixels, pixel_count(picture) * static_cast<std::size_t>(channels_)) {
+    : levels_(levels_of(picture)),
+      channels_(picture.channels == 3 && !is_grey(picture) ? 3 : 1),
+      texels_(picture.pixels, (levels_.back().first + levels_.back().room()) *
+                                  static_cast<std::size_t>(channels_)) {
   Image smaller;
-  const Image* level = &picture;
-  if (channels_ != picture.channels) level = &(smaller = first_channel(picture));
-  std::size_t first = 0;
-  for (const Vec2i size : sizes_of(picture)) {
-    if (!levels_.empty()) {
-      Image next = halved(*level, size);
+  const Image* image = &picture;
+  if (channels_ != picture.channels) image = &(smaller = first_channel(picture));
+  for (const Level& level : levels_) {
+    if (level.first > 0) {
+      Image next = halved(*image, {level.width, level.height});
       smaller = std::move(next);
-      level = &smaller;
+      image = &smaller;
     }
-    levels_.push_back({size.x, size.y, first});
-    texels_.append(level->pixels);
-    first += static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    append(*image, level);
+  }
+}
+
+void Pyramid::append(const Image& picture, const Level& level) {
+  const auto channels = static_cast<std::size_t>(channels_);
+  const auto side = static_cast<int>(Level::side);
+  std::vector<float> squares(level.squares_across() * Level::area * channels);
+  for (int top = 0; top < picture.height; top += side) {
+    for (int y = top; y < std::min(top + side, picture.height); ++y) {
+      for (int x = 0; x < picture.width; x += side) {
+        const auto count = static_cast<std::size_t>(std::min(side, picture.width - x));
+        const std::size_t place = level.column(x) - level.first + level.row(y - top);
+        std::copy_n(picture.pixel(x, y).data(), count * channels, &squares[place * channels]);
+      }
+    }
+    texels_.append(squares);
   }
 }
 

@@ -52,11 +52,37 @@ class Pyramid {
   std::size_t bytes() const;
 
  private:
+  /// One size. Its pixels lie in squares, row by row in each and of these: neighbours above and
+  /// below are near in memory, too. Squares that it does not fill have room left over.
   struct Level {
+    static constexpr std::size_t side = 8;  ///< of a square
+    static constexpr std::size_t area = side * side;
+
     int width = 0;
     int height = 0;
     std::size_t first = 0;  ///< its upper left pixel in `texels_`
+
+    std::size_t squares_across() const { return squares(width); }
+    /// How many pixels there is room for.
+    std::size_t room() const { return squares_across() * squares(height) * area; }
+    /// Where the pixels of a column and of a row are; their sum is where a pixel is in `texels_`.
+    std::size_t column(int x) const {
+      const auto i = static_cast<std::size_t>(x);
+      return first + i / side * area + i % side;
+    }
+    std::size_t row(int y) const {
+      const auto j = static_cast<std::size_t>(y);
+      return j / side * area * squares_across() + j % side * side;
+    }
+
+   private:
+    static std::size_t squares(int size) {
+      return (static_cast<std::size_t>(size) + side - 1) / side;
+    }
   };
+
+  static std::vector<Level> levels_of(const image::Image& picture);
+  void append(const image::Image& picture, const Level& level);
 
   template <typename Fetch>
   friend class PyramidSampler;

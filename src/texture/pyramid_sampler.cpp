@@ -13,6 +13,7 @@ namespace {
 using Vector = float __attribute__((vector_size(16)));
 
 struct FetchByteRgb {
+  static constexpr std::size_t size = 3;  ///< of a pixel, in bytes
   using Value = Vector;
   const std::uint8_t* codes;
   const float* values;
@@ -21,24 +22,31 @@ struct FetchByteRgb {
     std::memcpy(&c, codes + 3 * i, sizeof c);
     return Vector{values[c & 255], values[c >> 8 & 255], values[c >> 16 & 255], 0};
   }
+  const void* address(std::size_t i) const { return codes + 3 * i; }
 };
 struct FetchByte {
+  static constexpr std::size_t size = 1;  ///< of a pixel, in bytes
   using Value = float;
   const std::uint8_t* codes;
   const float* values;
   float operator()(std::size_t i) const { return values[codes[i]]; }
+  const void* address(std::size_t i) const { return codes + i; }
 };
 struct FetchHalfRgb {
+  static constexpr std::size_t size = 6;  ///< of a pixel, in bytes
   using Value = Vector;
   const std::uint16_t* bits;
   Vector operator()(std::size_t i) const {
     return _mm_cvtph_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(bits + 3 * i)));
   }
+  const void* address(std::size_t i) const { return bits + 3 * i; }
 };
 struct FetchHalf {
+  static constexpr std::size_t size = 2;  ///< of a pixel, in bytes
   using Value = float;
   const std::uint16_t* bits;
   float operator()(std::size_t i) const { return _cvtsh_ss(bits[i]); }
+  const void* address(std::size_t i) const { return bits + i; }
 };
 
 Rgb to_rgb(Vector v) {
@@ -108,7 +116,7 @@ class PyramidSampler {
     const auto last = static_cast<int>(levels.size()) - 1;
     if (wrap_ == Wrap::black && level > last) return look_from_afar(footprint.uv, level - last);
     const auto& nearest = levels[static_cast<std::size_t>(std::min(level, last))];
-    return texel_near(nearest, footprint.uv, Digits(footprint.uv));
+    return texel(nearest, near(nearest, footprint.uv, Digits(footprint.uv)));
   }
 
   Value draw(const UvFootprint& footprint) const {
@@ -118,7 +126,10 @@ class PyramidSampler {
     const double level = std::floor(0.5 * rough_log2(streak.size_squared) + digits.number(1));
     const auto last = static_cast<double>(pyramid_.levels_.size() - 1);
     if (level == 0.0 || level > last) return look(uv, level);
-    return texel_near(pyramid_.levels_[static_cast<std::size_t>(level)], uv, digits);
+    const Pyramid::Level& drawn = pyramid_.levels_[static_cast<std::size_t>(level)];
+    const Pixel pixel = near(drawn, uv, digits);
+    expect_more_near(place_of(drawn, pixel.x, pixel.y));
+    return texel(drawn, pixel);
   }
 
   Value mean(const UvFootprint& footprint) const {
@@ -133,6 +144,8 @@ class PyramidSampler {
   }
 
  private:
+  using Pixel = Vec2<int>;
+
   Value look(Vec2d uv, double level) const {
     const auto& levels = pyramid_.levels_;
     const double last = static_cast<double>(levels.size() - 1);
@@ -168,36 +181,47 @@ class PyramidSampler {
       return (a + (b - a) * tx) * (1.0f - ty) + (c + (d - c) * tx) * ty;
     };
     if (i >= 0 && j >= 0 && i + 1 < level.width && j + 1 < level.height) {
-      const auto row = static_cast<std::size_t>(level.width);
-      const std::size_t first =
-          level.first + static_cast<std::size_t>(j) * row + static_cast<std::size_t>(i);
-      return between(fetch_(first), fetch_(first + 1), fetch_(first + row),
-                     fetch_(first + row + 1));
+      const std::size_t x0 = level.column(i), x1 = level.column(i + 1);
+      const std::size_t y0 = level.row(j), y1 = level.row(j + 1);
+      return between(fetch_(x0 + y0), fetch_(x1 + y0), fetch_(x0 + y1), fetch_(x1 + y1));
     }
     return between(texel(level, i, j), texel(level, i + 1, j), texel(level, i, j + 1),
                    texel(level, i + 1, j + 1));
   }
 
   /// One of the pixels that `at` is made of, each as often as it has weight there.
-  Value texel_near(const Pyramid::Level& level, Vec2d uv, const Digits& digits) const {
+  Pixel near(const Pyramid::Level& level, Vec2d uv, const Digits& digits) const {
     const bool smooth = filter_ == Filter::smooth;
     const double dx = smooth ? digits.number(2) - 0.5 : 0.0;
     const double dy = smooth ? digits.number(3) - 0.5 : 0.0;
     const double x = folded(uv.x, wrap_) * level.width + dx;
     const double y = folded(uv.y, wrap_) * level.height + dy;
-    return texel(level, static_cast<int>(std::floor(x)),
-                 level.height - 1 - static_cast<int>(std::floor(y)));
+    return {static_cast<int>(std::floor(x)), level.height - 1 - static_cast<int>(std::floor(y))};
   }
 
+  Value texel(const Pyramid::Level& level, Pixel pixel) const {
+    return texel(level, pixel.x, pixel.y);
+  }
   /// Precondition: at most one picture away.
   Value texel(const Pyramid::Level& level, int x, int y) const {
     if (wrap_ == Wrap::black && (x < 0 || y < 0 || x >= level.width || y >= level.height)) {
       return Value{};
     }
-    return fetch_(level.first +
-                  static_cast<std::size_t>(inside(y, level.height)) *
-                      static_cast<std::size_t>(level.width) +
-                  static_cast<std::size_t>(inside(x, level.width)));
+    return fetch_(place_of(level, x, y));
+  }
+
+  /// Has the square of a pixel come near: other samples of what is drawn for, and those beside it,
+  /// draw there, too, and waiting for memory was most of what a draw took.
+  void expect_more_near(std::size_t place) const {
+    constexpr std::size_t area = Pyramid::Level::area;
+    const auto* square = static_cast<const char*>(fetch_.address(place / area * area));
+    for (std::size_t i = 0; i < area * Fetch::size; i += Texels::line) {
+      __builtin_prefetch(square + i);
+    }
+  }
+
+  std::size_t place_of(const Pyramid::Level& level, int x, int y) const {
+    return level.column(inside(x, level.width)) + level.row(inside(y, level.height));
   }
 
   int inside(int i, int size) const {

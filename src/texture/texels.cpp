@@ -59,10 +59,10 @@ std::uint8_t ByteScale::nearest(float value) const {
 Texels::Texels(std::span<const float> like, std::size_t count) {
   for (const ByteScale* scale : {&ByteScale::srgb(), &ByteScale::linear()}) {
     if (!all_on(*scale, like)) continue;
-    store_ = Bytes{std::vector<std::uint8_t>(count + padding), scale};
+    store_ = Bytes{decltype(Bytes::codes)(count + padding), scale};
     return;
   }
-  store_ = Halves{std::vector<std::uint16_t>(count + padding)};
+  store_ = Halves{decltype(Halves::bits)(count + padding)};
 }
 
 void Texels::append(std::span<const float> values) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <span>
 #include <variant>
 #include <vector>
@@ -33,12 +34,25 @@ class ByteScale {
 /// lost of an 8-bit picture, else half floats, whose greatest is 65504.
 class Texels {
  public:
+  static constexpr std::size_t line = 64;  ///< bytes that memory comes in; stores begin with one
+
+  template <typename T>
+  struct LineAllocator {
+    using value_type = T;
+    T* allocate(std::size_t n) {
+      return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{line}));
+    }
+    void deallocate(T* p, std::size_t n) {
+      ::operator delete (p, n * sizeof(T), std::align_val_t{line});
+    }
+    bool operator==(const LineAllocator&) const = default;
+  };
   struct Bytes {
-    std::vector<std::uint8_t> codes;
+    std::vector<std::uint8_t, LineAllocator<std::uint8_t>> codes;
     const ByteScale* scale;
   };
   struct Halves {
-    std::vector<std::uint16_t> bits;
+    std::vector<std::uint16_t, LineAllocator<std::uint16_t>> bits;
   };
 
   /// Has none yet; made for `count` values such as `like`.

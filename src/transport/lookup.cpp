@@ -18,9 +18,9 @@ Footprint footprint(const Met& met) {
   const double cosine = dot(n, d), sine2 = 1.0 - cosine * cosine;
   const bool head_on = !(sine2 > 1e-12);
   const Vec3d in_plane = head_on ? Frame::from_normal(n).tangent : d - n * cosine;
-  const double scale = head_on ? met.width : met.width / std::sqrt(sine2);
-  return {cross(n, in_plane) * scale,
-          in_plane * (scale / std::max(std::abs(cosine), least_cosine))};
+  const double shortened = std::max(std::abs(cosine), least_cosine);
+  const double scale = met.width / (shortened * (head_on ? 1.0 : std::sqrt(sine2)));
+  return {cross(n, in_plane) * (scale * shortened), in_plane * scale};
 }
 
 /// How far (u, v) go on ways along the surface; nearest in the sense of least squares where a step
@@ -88,7 +88,7 @@ void place_in_space(const scene::Scene& scene, const Met& met, const scene::Text
 
 }  // namespace
 
-SurfaceLookup::SurfaceLookup(const scene::Scene& scene, const Met& met) {
+void SurfaceLookup::meet(const scene::Scene& scene, const Met& met) {
   const scene::Slot& slot = scene.slot(met.hit);
   if (slot.frame == scene::Slot::no_frame) return;
   const Footprint world = footprint(met);
@@ -98,6 +98,7 @@ SurfaceLookup::SurfaceLookup(const scene::Scene& scene, const Met& met) {
   at.duvdx = steps.along(world.across);
   at.duvdy = steps.along(world.along);
   at.care = met.care;
+  at.shown.picture = nullptr;
   dpdx = world.across;
   dpdy = world.along;
   dpdu = own.dpdu;

@@ -24,7 +24,10 @@ struct SurfaceLookup {
   SurfaceLookup() = default;
   /// Of `at` nothing is known where the slot of what was met has no frame, and only what regards
   /// the surface's own coordinates where its textures ask for nothing else.
-  SurfaceLookup(const scene::Scene& scene, const Met& met);
+  SurfaceLookup(const scene::Scene& scene, const Met& met) { meet(scene, met); }
+
+  /// The same in place: what nothing is known of is as it was.
+  void meet(const scene::Scene& scene, const Met& met);
 };
 
 }  // namespace lapidary::transport

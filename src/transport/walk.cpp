@@ -52,7 +52,7 @@ bool Walk::advance() {
 
 void Walk::look_up() {
   if (slot_->frame == scene::Slot::no_frame) return;
-  lookup_ = SurfaceLookup(scene_, met());
+  lookup_.meet(scene_, met());
   if (!material_->detail.has_relief()) return;
   surface_.shading_normal = relief_normal(material_->detail, surface_, lookup_, ray_.direction);
 }
