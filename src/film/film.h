@@ -141,7 +141,7 @@ class Film {
   Rgb variance(int x, int y) const;
 
   /// Square root of the estimated relMSE of the beauty, mean over pixels and channels of
-  /// variance / (mean + dark)^2 of the linear picture; infinite before the second block.
+  /// variance / (|mean| + dark)^2 of the linear picture; infinite before the second block.
   double noise() const;
 
  private:

@@ -42,7 +42,7 @@ double channel_error(Metric metric, double value, double reference) {
   const double difference = value - reference;
   if (metric == Metric::mae) return std::abs(difference);
   if (metric == Metric::mse) return difference * difference;
-  const double relative = difference / (reference + 0.01);
+  const double relative = difference / (std::abs(reference) + 0.01);
   return relative * relative;
 }
 

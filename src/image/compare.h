@@ -9,7 +9,7 @@ namespace lapidary::image {
 
 /// How far an image is from its reference. All but `flip` look at linear light.
 enum class Metric {
-  relmse,  ///< (I - R)^2 / (R + 0.01)^2, mean of the channels
+  relmse,  ///< (I - R)^2 / (|R| + 0.01)^2, mean of the channels; R is below 0 out of the gamut
   mse,     ///< (I - R)^2, mean of the channels
   mae,     ///< |I - R|, mean of the channels
   energy,  ///< sum of I over that of R, of the first three channels together; 1 is right

@@ -55,6 +55,13 @@ TEST(Compare, ByHand) {
   EXPECT_NEAR(value(Metric::relmse), relative / 6, 1e-6);
 }
 
+TEST(Compare, ReferencesJustBelowZeroAreDarkOnes) {
+  Image image(1, 1), reference(1, 1);
+  image.pixels = {0, 0, 0};
+  reference.pixels = {-0.01f, -0.01f, -0.01f};
+  EXPECT_NEAR(compare(image, reference, {.metric = Metric::relmse}), 0.25, 1e-6);
+}
+
 TEST(Compare, IdenticalImagesHaveNoError) {
   const Image image = random_image(31, 17);
   for (const Metric metric : {Metric::relmse, Metric::mse, Metric::mae, Metric::flip}) {
