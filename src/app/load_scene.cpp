@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "app/messages.h"
 #include "import/mesh_file.h"
 #include "lua/load_scene.h"
 #include "render/render.h"
@@ -38,7 +39,11 @@ description::SceneDescription load_lua(const SceneArguments& arguments, WarningL
   options.allowed.assign(arguments.allowed_folders.begin(), arguments.allowed_folders.end());
   options.warnings = &warnings;
   options.files = files;
-  options.print = [](std::string_view line) { fmt::print(stderr, "{}\n", line); };
+  if (arguments.frame) {
+    options.frame = *arguments.frame;
+    options.time = (*arguments.frame - 1) / arguments.fps;
+  }
+  options.print = print_note;
   return lua::load_scene(arguments.file, options).scene;
 }
 
