@@ -181,11 +181,18 @@ void print_summary(const std::vector<std::string>& pictures, const RunStatistics
   }
 }
 
+/// What one frame of an animation leaves to the next.
+struct Kept {
+  import::SceneFiles files;
+  geometry::TriangleScene triangles;
+};
+
 /// What the work on a picture needs beside its command.
 struct Workshop {
   ThreadPool& pool;
   WarningLog& warnings;
   InputFiles* files;  ///< notes what is read; null: nobody wants to know
+  Kept& kept;
   ProgressDisplay& display;
   PhaseClock& clock;
   RunStatistics& statistics;
@@ -200,15 +207,18 @@ struct Prepared {
 Prepared prepare(const RenderCommand& command, const Workshop& with) {
   RunStatistics& statistics = with.statistics;
   with.display.begin(Phase::load, command.scene.frame);
-  auto description = load_scene(command.scene, command.settings, with.warnings, with.files);
+  auto description =
+      load_scene(command.scene, command.settings, {with.warnings, with.files, &with.kept.files});
   complete_scene(command.scene, description);
   statistics.size = description.render.size;
   render::check_size(statistics.size);
   statistics.seconds.load = with.clock.lap();
 
   with.display.begin(Phase::build, command.scene.frame);
-  scene::Scene scene = scene::build(description, {statistics.size, with.pool, with.warnings,
-                                                  description.render.light_choice, with.files});
+  scene::Scene scene = scene::build(
+      description, {statistics.size, with.pool, with.warnings, description.render.light_choice,
+                    with.files, &with.kept.triangles});
+  with.kept.triangles = scene.world().triangles();
   inspect::warn_about_averted_lights(description, with.warnings);
   inspect::warn_about_empty_solids(description, scene, with.warnings);
   inspect::warn_about_buried_camera(description, scene, with.warnings);
@@ -279,7 +289,7 @@ void render_prepared(const RenderCommand& command, const Outputs& outputs, const
   warn_about_faults(start.canvas.picture().faults(), with.warnings);
 }
 
-ExitCode render_picture(const RenderCommand& command, ThreadPool& pool) {
+ExitCode render_picture(const RenderCommand& command, Kept& kept, ThreadPool& pool) {
   const Outputs outputs(command.outputs, command.checkpoint_seconds != 0.0
                                              ? Outputs::Checkpoints::kept
                                              : Outputs::Checkpoints::none);
@@ -290,8 +300,9 @@ ExitCode render_picture(const RenderCommand& command, ThreadPool& pool) {
   InputFiles files;  // noted for checkpoints alone: a large mesh takes a while
   const auto display = make_progress_display(command.progress);
   PhaseClock clock;
-  const Workshop workshop{pool,     warnings, outputs.checkpoint().empty() ? nullptr : &files,
-                          *display, clock,    statistics};
+  const Workshop workshop{pool,      warnings, outputs.checkpoint().empty() ? nullptr : &files,
+                          kept,      *display, clock,
+                          statistics};
   render_prepared(command, outputs, prepare(command, workshop), workshop);
   print_warnings(warnings.take());
   if (command.progress != ProgressStyle::none) print_summary(outputs.pictures(), statistics);
@@ -300,6 +311,7 @@ ExitCode render_picture(const RenderCommand& command, ThreadPool& pool) {
 }
 
 ExitCode render_frames(const RenderCommand& command, ThreadPool& pool) {
+  Kept kept;
   for (int frame = command.frames->first; frame <= command.frames->last; ++frame) {
     const RenderCommand one = of_frame(command, frame);
     if (is_done_already(one)) {
@@ -309,7 +321,7 @@ ExitCode render_frames(const RenderCommand& command, ThreadPool& pool) {
       continue;
     }
     try {
-      const ExitCode code = render_picture(one, pool);
+      const ExitCode code = render_picture(one, kept, pool);
       if (code != ExitCode::done) return code;
     } catch (const Error& error) {
       throw Error(error.where(), fmt::format("frame {}: {}", frame, error.problem()), error.hint());
@@ -330,7 +342,9 @@ ExitCode run(const RenderCommand& command) {
     const std::string stem = std::filesystem::path(command.scene.file).stem().string();
     one.outputs = {stem + (command.scene.frame ? "_####.png" : ".png")};
   }
-  return render_picture(command.scene.frame ? of_frame(one, *command.scene.frame) : one, pool);
+  Kept nothing;
+  return render_picture(command.scene.frame ? of_frame(one, *command.scene.frame) : one, nothing,
+                        pool);
 }
 
 }  // namespace lapidary::app
