@@ -166,20 +166,4 @@ Rgb Film::variance(int x, int y) const {
   return to_rgb(channel(0), channel(1), channel(2));
 }
 
-double Film::noise() const {
-  if (state_.blocks < 2) return std::numeric_limits<double>::infinity();
-  double sum = 0.0;
-  for (int y = 0; y < height(); ++y) {
-    for (int x = 0; x < width(); ++x) {
-      const Rgb m = beauty(x, y), v = variance(x, y);
-      const auto relative = [](float variance, float mean) {
-        const double reference = std::abs(static_cast<double>(mean)) + dark;
-        return static_cast<double>(variance) / (reference * reference);
-      };
-      sum += relative(v.r, m.r) + relative(v.g, m.g) + relative(v.b, m.b);
-    }
-  }
-  return std::sqrt(sum / (3.0 * width() * height()));
-}
-
 }  // namespace lapidary::film
