@@ -211,7 +211,7 @@ ExitCode run(const BakeCommand& command) {
   check_settings(command.settings);
   WarningLog warnings;
   ThreadPool pool(command.threads);
-  auto description = load_scene(command.scene, command.settings, warnings);
+  auto description = load_scene(command.scene, command.settings, {warnings});
   complete_scene(command.scene, description);
   const OutputFolder folder(folder_of(command));
   const scene::Scene scene = scene::build(

@@ -247,7 +247,7 @@ void print_overlaps(const SceneReport& report) {
 ExitCode run(const CheckCommand& command) {
   ThreadPool pool;
   WarningLog warnings;
-  auto description = load_scene(command.scene, {}, warnings);
+  auto description = load_scene(command.scene, {}, {warnings});
   const SceneReport report = inspect::inspect(description, pool);
   fmt::print("{}: {}, {}, {}, {}\n", command.scene.file, counted(report.objects, "object"),
              counted(report.operands, "operand"), counted(report.triangles, "triangle"),

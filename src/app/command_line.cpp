@@ -73,6 +73,19 @@ BlockNumbers parse_blocks(std::string_view text) {
   return {*first, *last};
 }
 
+FrameNumbers parse_frames(std::string_view text) {
+  constexpr int most = 9'999'999;
+  const std::size_t dash = text.find('-');
+  const auto first = parse_number<int>(text.substr(0, dash));
+  const auto last =
+      dash == std::string_view::npos ? first : parse_number<int>(text.substr(dash + 1));
+  if (!first || !last || *first < 0 || *last < *first || *last > most) {
+    throw UsageError(fmt::format("--frames takes A-B with 0 <= A <= B <= {}, not '{}'", most, text),
+                     "both are rendered: 1-240 is ten seconds at 24 frames a second");
+  }
+  return {*first, *last};
+}
+
 /// An option whose text goes to `take`; given twice, the last one counts.
 CLI::Option* add_text(CLI::App& verb, const std::string& flag, const std::string& type,
                       const std::string& help, std::function<void(const std::string&)> take) {
@@ -121,6 +134,11 @@ void add_scene(CLI::App& verb, SceneArguments& scene) {
   const std::vector<std::pair<std::string, std::optional<import::UpAxis>>> axes = {
       {"y", import::UpAxis::y}, {"z", import::UpAxis::z}};
   add_choice(verb, "--up", scene.up, axes, "the axis of a bare mesh that points up (y for .obj)");
+  add_text(
+      verb, "--frame", "N", "a frame of an animation: `frame` in the scene, #### in names",
+      [&](const std::string& text) { scene.frame = number_in("--frame", text, 0, 9'999'999); });
+  add_text(verb, "--fps", "R", "frames a second: `time` is (frame - 1) / R (24)",
+           [&](const std::string& text) { scene.fps = number_in("--fps", text, 1e-3, 1e6); });
 }
 
 /// `--FLAG VALUE` as another way to say `--render KEY=VALUE`; values are checked where those are.
@@ -170,6 +188,8 @@ void declare(CLI::App& verb, RenderCommand& command) {
   verb.add_flag_callback(
       "--resume", [&] { command.resumes = true; },
       "go on from the checkpoint of the picture, if there is one");
+  add_text(verb, "--frames", "A-B", "these frames one after the other: -o NAME_####.png",
+           [&](const std::string& text) { command.frames = parse_frames(text); });
   add_text(verb, "--blocks", "A-B", "only these blocks of passes, from 1; `merge` adds them",
            [&](const std::string& text) { command.blocks = parse_blocks(text); });
   add_text(verb, "--plan", "FILE",
@@ -178,7 +198,9 @@ void declare(CLI::App& verb, RenderCommand& command) {
   const std::vector<std::pair<std::string, ProgressStyle>> styles = {
       {"bar", ProgressStyle::bar}, {"lines", ProgressStyle::lines}, {"json", ProgressStyle::json}};
   add_choice(verb, "--progress", command.progress, styles,
-             "how to show progress (bar on a terminal)");
+             "how to show progress (bar on a terminal); json: all messages, too");
+  add_text(verb, "--preview", "FILE", "a picture of what there is, each few seconds (.png, ...)",
+           [&](const std::string& text) { command.preview_file = text; });
   verb.add_flag_callback(
       "--quiet", [&] { command.progress = ProgressStyle::none; }, "warnings and errors only");
 }
@@ -305,7 +327,27 @@ void check_together(const ProbeCommand& command) {
                    "--ray 0,0,5,0,0,-1 goes down the z axis; --rays FILE reads one from each line");
 }
 
+/// Frames must not overwrite one another.
+void check_frames(const RenderCommand& command) {
+  if (!command.frames) return;
+  if (command.scene.frame) {
+    throw UsageError("--frame and --frames do not go together",
+                     "--frame is one of them, --frames A-B are several");
+  }
+  const auto check = [](const char* option, const std::string& name) {
+    if (name.find('#') != std::string::npos) return;
+    throw UsageError(fmt::format("{} {} would be written for each frame", option, name),
+                     "put #### where the number of the frame goes: frame_####.png");
+  };
+  if (command.outputs.empty()) {
+    throw UsageError("--frames needs names for the pictures", "-o frame_####.png, for example");
+  }
+  for (const std::string& output : command.outputs) check("-o", output);
+  if (!command.stats_file.empty()) check("--stats", command.stats_file);
+}
+
 void check_together(const RenderCommand& command) {
+  check_frames(command);
   if (!command.plan_file.empty() && !command.blocks) {
     throw UsageError("--plan is for --blocks",
                      "--resume goes on with a picture; --blocks A-B renders a part");

@@ -28,6 +28,8 @@ struct SceneArguments {
   std::vector<Assignment> parameters;        ///< --set: for param() in the scene
   std::vector<std::string> allowed_folders;  ///< --allow
   std::optional<import::UpAxis> up;          ///< --up, of a bare mesh; none: the format's own
+  std::optional<int> frame;                  ///< --frame, or one of --frames; none: no animation
+  double fps = 24;                           ///< --fps: frames for each second of scene time
 };
 
 enum class ProgressStyle { automatic, bar, lines, json, none };
@@ -38,6 +40,12 @@ struct BlockNumbers {
   std::uint32_t last = 1;
 };
 
+/// --frames A-B: both are rendered.
+struct FrameNumbers {
+  int first = 1;
+  int last = 1;
+};
+
 /// lapidary render
 struct RenderCommand {
   SceneArguments scene;
@@ -45,12 +53,14 @@ struct RenderCommand {
   std::vector<std::string> outputs;  ///< empty: the scene's name with .png
   int threads = 0;                   ///< 0: all
   std::string stats_file;            ///< empty: none
+  std::string preview_file;          ///< --preview; empty: none
   ProgressStyle progress = ProgressStyle::automatic;
   /// --checkpoint; 0: never; none: each minute, or more seldom where that costs too much.
   std::optional<double> checkpoint_seconds;
   bool resumes = false;                ///< --resume
   std::optional<BlockNumbers> blocks;  ///< --blocks
   std::string plan_file;               ///< --plan, with --blocks; empty: none
+  std::optional<FrameNumbers> frames;  ///< --frames
 };
 
 /// lapidary merge

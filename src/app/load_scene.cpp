@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 
-#include "import/mesh_file.h"
+#include "app/messages.h"
 #include "lua/load_scene.h"
 #include "render/render.h"
 #include "scene/studio.h"
@@ -28,29 +28,34 @@ SceneKind kind_of(const std::string& file) {
                    "scenes end in .lua, meshes in .obj");
 }
 
-description::SceneDescription load_lua(const SceneArguments& arguments, WarningLog& warnings,
-                                       InputFiles* files) {
+description::SceneDescription load_lua(const SceneArguments& arguments, const Loading& loading) {
   if (arguments.up) {
     throw UsageError("--up is for bare meshes", "a scene turns its meshes itself, with :rotate");
   }
   lua::LoadOptions options;
   for (const auto& [name, value] : arguments.parameters) options.settings.emplace_back(name, value);
   options.allowed.assign(arguments.allowed_folders.begin(), arguments.allowed_folders.end());
-  options.warnings = &warnings;
-  options.files = files;
-  options.print = [](std::string_view line) { fmt::print(stderr, "{}\n", line); };
+  options.warnings = &loading.warnings;
+  options.files = loading.files;
+  options.kept = loading.kept;
+  if (arguments.frame) {
+    options.frame = *arguments.frame;
+    options.time = (*arguments.frame - 1) / arguments.fps;
+  }
+  options.print = print_note;
   return lua::load_scene(arguments.file, options).scene;
 }
 
-description::SceneDescription load_obj(const SceneArguments& arguments, WarningLog& warnings,
-                                       InputFiles* read) {
+description::SceneDescription load_obj(const SceneArguments& arguments, const Loading& loading) {
   if (!arguments.parameters.empty()) {
     throw UsageError("--set is for scenes; a bare mesh has no parameters");
   }
-  import::ImageFiles images(read);
-  import::MeshFiles files(&warnings, {}, &images, read);
+  import::SceneFiles own;
+  import::SceneFiles& files = loading.kept != nullptr ? *loading.kept : own;
+  files.begin_scene();
   description::SceneDescription scene;
-  scene.objects = {files.read(arguments.file, {.up = arguments.up})};
+  scene.objects = {files.meshes.read(arguments.file, {.up = arguments.up},
+                                     {&loading.warnings, {}, loading.files})};
   return scene;
 }
 
@@ -75,11 +80,10 @@ void apply_settings(const std::vector<Assignment>& settings, description::Render
 
 description::SceneDescription load_scene(const SceneArguments& arguments,
                                          const std::vector<Assignment>& settings,
-                                         WarningLog& warnings, InputFiles* files) {
+                                         const Loading& loading) {
   const SceneKind kind = kind_of(arguments.file);
-  description::SceneDescription scene = kind == SceneKind::lua
-                                            ? load_lua(arguments, warnings, files)
-                                            : load_obj(arguments, warnings, files);
+  description::SceneDescription scene =
+      kind == SceneKind::lua ? load_lua(arguments, loading) : load_obj(arguments, loading);
   apply_settings(settings, scene.render, scene.film);
   return scene;
 }

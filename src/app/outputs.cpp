@@ -25,7 +25,9 @@ std::string checkpoint_file(const std::vector<std::string>& pictures) {
   return std::filesystem::path(pictures.front()).replace_extension("checkpoint.exr").string();
 }
 
-image::WriteOptions write_options(const render::Canvas& canvas, const Outputs::Facts& facts) {
+}  // namespace
+
+image::WriteOptions write_options(const render::Canvas& canvas, const PictureFacts& facts) {
   const auto [render, film] = render::settings_of(facts.origin);
   image::WriteOptions options;
   options.metadata = {{"scene", facts.origin.scene},
@@ -38,8 +40,6 @@ image::WriteOptions write_options(const render::Canvas& canvas, const Outputs::F
       film.tone == description::ToneCurve::filmic ? image::Tone::filmic : image::Tone::none;
   return options;
 }
-
-}  // namespace
 
 Outputs::Outputs(std::vector<std::string> pictures, Checkpoints checkpoints)
     : pictures_(std::move(pictures)) {
@@ -60,18 +60,19 @@ void Outputs::check() const {
 }
 
 void Outputs::write_with_checkpoint(const render::Canvas& canvas,
-                                    const image::LayeredImage& picture, const Facts& facts,
+                                    const image::LayeredImage& picture, const PictureFacts& facts,
                                     image::Compression compression) const {
   image::WriteOptions options = write_options(canvas, facts);
   options.compression = compression;
   image::write_image(checkpoint_, picture, render::checkpoint_of(facts.origin, canvas), options);
 }
 
-void Outputs::write_checkpoint(const render::Canvas& canvas, const Facts& facts) const {
+void Outputs::write_checkpoint(const render::Canvas& canvas, const PictureFacts& facts) const {
   write_with_checkpoint(canvas, film::develop(canvas.picture()), facts, image::Compression::none);
 }
 
-void Outputs::write(const render::Canvas& canvas, const Facts& facts, Completion completion) const {
+void Outputs::write(const render::Canvas& canvas, const PictureFacts& facts,
+                    Completion completion) const {
   const image::LayeredImage picture = film::develop(canvas.picture());
   const image::WriteOptions options = write_options(canvas, facts);
   std::exception_ptr problem;

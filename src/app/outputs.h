@@ -10,6 +10,13 @@
 
 namespace lapidary::app {
 
+/// What is written of a picture beside its pixels.
+struct PictureFacts {
+  const render::Origin& origin;
+  double seconds = 0;  ///< of rendering
+};
+image::WriteOptions write_options(const render::Canvas& canvas, const PictureFacts& facts);
+
 /// The files that a picture goes to. Its checkpoint is the second part of the first OpenEXR file
 /// among them, else NAME.checkpoint.exr beside the first.
 class Outputs {
@@ -34,26 +41,21 @@ class Outputs {
   /// Finds out before the work what would fail after it. Throws Error.
   void check() const;
 
-  /// What is written of a picture beside its pixels.
-  struct Facts {
-    const render::Origin& origin;
-    double seconds = 0;  ///< of rendering
-  };
   /// Writes the checkpoint's file alone, in haste: with the picture so far, not packed. Throws
   /// Error, and then the file is as it was.
-  void write_checkpoint(const render::Canvas& canvas, const Facts& facts) const;
+  void write_checkpoint(const render::Canvas& canvas, const PictureFacts& facts) const;
 
   /// Writes all files; a checkpoint beside the pictures only where these are not complete, or
   /// cannot be written. One that cannot does not keep it from the others: throws the first Error
   /// after them.
-  void write(const render::Canvas& canvas, const Facts& facts, Completion completion) const;
+  void write(const render::Canvas& canvas, const PictureFacts& facts, Completion completion) const;
 
   /// Removes a checkpoint that is beside the pictures, if there is one: they are complete.
   void remove_checkpoint() const;
 
  private:
   void write_with_checkpoint(const render::Canvas& canvas, const image::LayeredImage& picture,
-                             const Facts& facts, image::Compression compression) const;
+                             const PictureFacts& facts, image::Compression compression) const;
 
   std::vector<std::string> pictures_;
   std::string checkpoint_;

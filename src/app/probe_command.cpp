@@ -68,7 +68,7 @@ ExitCode run(const ProbeCommand& command) {
   const std::vector<Ray> rays =
       command.ray ? std::vector{*command.ray} : read_rays(command.rays_file);
   WarningLog warnings;
-  const auto description = load_scene(command.scene, {}, warnings);
+  const auto description = load_scene(command.scene, {}, {warnings});
   const inspect::Probe probe(description);
   for (const Ray& ray : rays) fmt::print("{}\n", to_json(probe.along(ray.origin, ray.direction)));
   print_warnings(warnings.take());

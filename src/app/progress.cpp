@@ -1,7 +1,9 @@
 #include "app/progress.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include <fmt/core.h>
@@ -18,19 +20,47 @@ std::string format_rate(double samples_per_second) {
                                    : fmt::format("{:.0f} k samples/s", samples_per_second * 1e-3);
 }
 
+std::string format_photons(std::uint64_t photons) {
+  const auto count = static_cast<double>(photons);
+  return count >= 1e6 ? fmt::format("{:.3g} M photons", count * 1e-6)
+                      : fmt::format("{:.0f} k photons", count * 1e-3);
+}
+
 /// What stands beside a bar, most important first.
 std::vector<std::string> facts(const ProgressState& state) {
-  std::vector<std::string> all = {fmt::format("{:.0f} %", std::floor(100 * state.fraction))};
+  std::vector<std::string> all;
+  if (state.frame) all.push_back(fmt::format("frame {}", *state.frame));
+  all.push_back(fmt::format("{:.0f} %", std::floor(100 * state.fraction)));
   if (state.seconds_left) all.push_back(format_duration(*state.seconds_left) + " left");
   if (state.noise) all.push_back(fmt::format("noise {:.3g}", *state.noise));
   all.push_back(fmt::format("{} samples per pixel", state.samples));
   all.push_back(format_rate(state.samples_per_second));
+  if (state.photons > 0) all.push_back(format_photons(state.photons));
   return all;
+}
+
+std::string_view name_of(Phase phase) {
+  constexpr std::array<std::string_view, 5> names = {"load", "build", "photons", "render", "write"};
+  return names[static_cast<std::size_t>(phase)];
+}
+
+std::string_view description_of(Phase phase) {
+  constexpr std::array<std::string_view, 5> descriptions = {"reading the scene",
+                                                            "building the scene", "preparing light",
+                                                            "rendering", "writing the picture"};
+  return descriptions[static_cast<std::size_t>(phase)];
 }
 
 /// Redraws one line in place.
 class BarDisplay : public ProgressDisplay {
  public:
+  ~BarDisplay() override { fmt::print(stderr, "\r\x1b[K"); }
+  void begin(Phase phase, std::optional<int> frame) override {
+    const std::string prefix = frame ? fmt::format("frame {}: ", *frame) : "";
+    const std::string line = fmt::format("{}{} ...", prefix, description_of(phase));
+    fmt::print(stderr, "\r{:.{}}\x1b[K", line, std::max(terminal_.width() - 1, 0));
+    std::fflush(stderr);
+  }
   void update(const ProgressState& state) override {
     fmt::print(stderr, "\r{}\x1b[K", bar_line(state, terminal_.width() - 1));
     std::fflush(stderr);
@@ -47,6 +77,7 @@ class BarDisplay : public ProgressDisplay {
 /// A line for each tenth of the way, and one after ten seconds without any.
 class LineDisplay : public ProgressDisplay {
  public:
+  void begin(Phase, std::optional<int>) override {}
   void update(const ProgressState& state) override {
     const int tenth = static_cast<int>(10 * state.fraction);
     if (tenth <= last_tenth_ && state.seconds < last_seconds_ + 10) return;
@@ -64,6 +95,12 @@ class LineDisplay : public ProgressDisplay {
 
 class JsonDisplay : public ProgressDisplay {
  public:
+  void begin(Phase phase, std::optional<int> frame) override {
+    nlohmann::ordered_json object = {{"event", "phase"}, {"phase", name_of(phase)}};
+    if (frame) object["frame"] = *frame;
+    fmt::print(stderr, "{}\n", object.dump());
+    std::fflush(stderr);
+  }
   void update(const ProgressState& state) override {
     fmt::print(stderr, "{}\n", json_line(state));
     std::fflush(stderr);
@@ -73,6 +110,7 @@ class JsonDisplay : public ProgressDisplay {
 
 class NoDisplay : public ProgressDisplay {
  public:
+  void begin(Phase, std::optional<int>) override {}
   void update(const ProgressState&) override {}
   void finish() override {}
 };
@@ -108,12 +146,15 @@ std::string plain_line(const ProgressState& state) {
 }
 
 std::string json_line(const ProgressState& state) {
-  nlohmann::ordered_json object = {{"fraction", state.fraction},
+  nlohmann::ordered_json object = {{"event", "progress"},
+                                   {"fraction", state.fraction},
                                    {"samples_per_pixel", state.samples},
                                    {"seconds", state.seconds},
                                    {"samples_per_second", state.samples_per_second}};
   if (state.seconds_left) object["seconds_left"] = *state.seconds_left;
   if (state.noise) object["noise"] = *state.noise;
+  if (state.photons > 0) object["photons"] = state.photons;
+  if (state.frame) object["frame"] = *state.frame;
   return object.dump();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,7 +17,12 @@ struct ProgressState {
   double samples_per_second = 0;
   std::optional<double> seconds_left;
   std::optional<double> noise;  ///< relative error, once it can be estimated
+  std::uint64_t photons = 0;    ///< sent out
+  std::optional<int> frame;     ///< of an animation
 };
+
+/// What is done before and after rendering, which may take a while.
+enum class Phase { load, build, photons, render, write };
 
 /// "1.4 s", "12 s", "3 min 20 s", "2 h 5 min".
 std::string format_duration(double seconds);
@@ -34,6 +40,8 @@ std::string json_line(const ProgressState& state);
 class ProgressDisplay {
  public:
   virtual ~ProgressDisplay() = default;
+  /// `frame` is that of an animation.
+  virtual void begin(Phase phase, std::optional<int> frame) = 0;
   virtual void update(const ProgressState& state) = 0;
   /// Leaves the cursor at the beginning of an empty line.
   virtual void finish() = 0;

@@ -4,13 +4,16 @@
 #include <optional>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "app/checkpoints.h"
 #include "app/commands.h"
+#include "app/frames.h"
 #include "app/interrupt.h"
 #include "app/load_scene.h"
 #include "app/messages.h"
 #include "app/outputs.h"
+#include "app/preview.h"
 #include "app/progress.h"
 #include "app/resume.h"
 #include "app/statistics.h"
@@ -38,13 +41,10 @@ class PhaseClock {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-std::vector<std::string> outputs_of(const RenderCommand& command) {
-  if (!command.outputs.empty()) return command.outputs;
-  return {std::filesystem::path(command.scene.file).stem().string() + ".png"};
-}
-
-ProgressState state_of(const render::Progress& progress) {
+ProgressState state_of(const render::Progress& progress, std::optional<int> frame) {
   ProgressState state;
+  state.frame = frame;
+  state.photons = progress.photons;
   state.samples = static_cast<int>(progress.passes);
   state.seconds = progress.seconds;
   state.samples_per_second = progress.samples_per_second;
@@ -90,32 +90,52 @@ struct Work {
 /// Says where a render starts, if that is a question.
 void print_start(const Start& start, const Outputs& outputs) {
   if (start.from == Start::From::no_checkpoint) {
-    fmt::print(stderr, "{}: not there, starting from the beginning\n", outputs.checkpoint());
+    print_note(fmt::format("{}: not there, starting from the beginning", outputs.checkpoint()));
   } else if (start.from == Start::From::checkpoint) {
-    fmt::print(stderr, "{}: going on from {} samples per pixel\n", outputs.checkpoint(),
-               start.canvas.film().pass_count());
+    print_note(fmt::format("{}: going on from {} samples per pixel", outputs.checkpoint(),
+                           start.canvas.film().pass_count()));
   }
 }
 
-/// Renders under the eyes of the user, who may end it. Checkpoints may be null.
-render::Statistics render_watched(const RenderCommand& command, const Work& work,
-                                  Checkpoints* checkpoints, ThreadPool& pool) {
-  const InterruptGuard interrupt;
-  const auto display = make_progress_display(command.progress);
-  render::Control control{
-      .on_progress = [&](const render::Progress& p) { display->update(state_of(p)); },
-      .stop = &interrupt.requested()};
-  if (checkpoints != nullptr) {
-    control.on_block = [&](const render::Canvas& canvas) {
-      checkpoints->block_done(canvas, [&](const std::string& warning) {
-        display->finish();
-        print_warnings({{{}, warning}});
-      });
-    };
+/// What is done between the blocks of a render; either may be missing.
+struct BetweenBlocks {
+  std::optional<Checkpoints> checkpoints;
+  std::optional<Preview> preview;
+
+  static void warn(const std::string& text) { print_warnings({{{}, text}}); }
+
+  void block_done(const render::Canvas& canvas) {
+    if (checkpoints) checkpoints->block_done(canvas, warn);
+    if (preview) preview->block_done(canvas, warn);
   }
+  void finish(const render::Canvas& canvas) {
+    if (preview) preview->finish(canvas, warn);
+  }
+};
+
+BetweenBlocks between_blocks(const RenderCommand& command, const Outputs& outputs,
+                             const render::Origin& origin) {
+  BetweenBlocks between;
+  if (!outputs.checkpoint().empty()) {
+    between.checkpoints.emplace(outputs, origin, command.checkpoint_seconds);
+  }
+  if (!command.preview_file.empty()) between.preview.emplace(command.preview_file, origin);
+  return between;
+}
+
+/// Renders under the eyes of the user, who may end it.
+render::Statistics render_watched(const RenderCommand& command, const Work& work,
+                                  BetweenBlocks& between, ProgressDisplay& display,
+                                  ThreadPool& pool) {
+  const InterruptGuard interrupt;
+  const render::Control control{
+      .on_progress =
+          [&](const render::Progress& p) { display.update(state_of(p, command.scene.frame)); },
+      .on_block = [&](const render::Canvas& canvas) { between.block_done(canvas); },
+      .stop = &interrupt.requested()};
   const render::Statistics statistics =
       render::render(work.renderer, work.rules, control, work.canvas, pool);
-  display->finish();
+  display.finish();
   return statistics;
 }
 
@@ -152,93 +172,179 @@ void warn_about_faults(const film::SampleFaults& faults, WarningLog& warnings) {
 }
 
 void print_summary(const std::vector<std::string>& pictures, const RunStatistics& statistics) {
-  std::string noise;
-  if (std::isfinite(statistics.render.noise)) {
-    noise = fmt::format(", noise {:.3g}", statistics.render.noise);
-  }
-  const char* ending =
-      statistics.render.ending == render::Ending::interrupted ? ", interrupted" : "";
   for (const std::string& picture : pictures) {
-    fmt::print(stderr, "{}: {}x{}, {} samples per pixel, {}{}{}\n", picture, statistics.size.width,
-               statistics.size.height, statistics.samples_per_pixel,
-               format_duration(statistics.seconds.render), noise, ending);
+    if (message_style() == MessageStyle::json) {
+      fmt::print(stderr, "{}\n", json_line(picture, statistics));
+    } else {
+      print_note(summary_line(picture, statistics));
+    }
   }
 }
 
-}  // namespace
+/// What one frame of an animation leaves to the next.
+struct Kept {
+  import::SceneFiles files;
+  geometry::TriangleScene triangles;
+};
 
-ExitCode run(const RenderCommand& command) {
-  check_settings(command.settings);
-  const Outputs outputs(outputs_of(command), command.checkpoint_seconds != 0.0
-                                                 ? Outputs::Checkpoints::kept
-                                                 : Outputs::Checkpoints::none);
+/// What the work on a picture needs beside its command.
+struct Workshop {
+  ThreadPool& pool;
+  WarningLog& warnings;
+  InputFiles* files;  ///< notes what is read; null: nobody wants to know
+  Kept& kept;
+  ProgressDisplay& display;
+  PhaseClock& clock;
+  RunStatistics& statistics;
+};
+
+/// A scene that is ready, and the description it was made from.
+struct Prepared {
+  description::SceneDescription description;
+  scene::Scene scene;
+};
+
+Prepared prepare(const RenderCommand& command, const Workshop& with) {
+  RunStatistics& statistics = with.statistics;
+  with.display.begin(Phase::load, command.scene.frame);
+  auto description =
+      load_scene(command.scene, command.settings, {with.warnings, with.files, &with.kept.files});
+  complete_scene(command.scene, description);
+  statistics.size = description.render.size;
+  render::check_size(statistics.size);
+  statistics.seconds.load = with.clock.lap();
+
+  with.display.begin(Phase::build, command.scene.frame);
+  scene::Scene scene = scene::build(
+      description, {statistics.size, with.pool, with.warnings, description.render.light_choice,
+                    with.files, &with.kept.triangles});
+  with.kept.triangles = scene.world().triangles();
+  inspect::warn_about_averted_lights(description, with.warnings);
+  inspect::warn_about_empty_solids(description, scene, with.warnings);
+  inspect::warn_about_buried_camera(description, scene, with.warnings);
+  statistics.scene = scene.counts();
+  statistics.seconds.build = with.clock.lap();
+  return {std::move(description), std::move(scene)};
+}
+
+film::Film::Settings film_settings_of(const Prepared& prepared, const Outputs& outputs) {
+  const auto& [description, scene] = prepared;
+  return {.width = description.render.size.width,
+          .height = description.render.size.height,
+          .layers = outputs.layers(),
+          .exposure_factor = description.film.exposure,
+          .scene_size = scene.size()};
+}
+
+/// Finds out before the work what would fail after it.
+void check_files(const RenderCommand& command, const Outputs& outputs) {
   if (command.blocks && outputs.is_checkpoint_beside()) {
     throw UsageError("--blocks needs a picture that can hold its sums for `merge`",
                      "name one that ends in .exr: -o part.exr");
   }
   outputs.check();
+  if (!command.preview_file.empty()) image::check_writable(command.preview_file);
   if (!command.stats_file.empty()) image::OutputFile probe(command.stats_file);
+}
 
-  RunStatistics statistics;
-  WarningLog warnings;
-  InputFiles files;  // noted for checkpoints alone: a large mesh takes a while
-  InputFiles* const noted_files = outputs.checkpoint().empty() ? nullptr : &files;
-  ThreadPool pool(command.threads);
-  statistics.threads = pool.threads();
-  PhaseClock clock;
-  auto description = load_scene(command.scene, command.settings, warnings, noted_files);
-  complete_scene(command.scene, description);
-  statistics.size = description.render.size;
-  render::check_size(statistics.size);
-  statistics.seconds.load = clock.lap();
-
-  const scene::Scene scene = scene::build(
-      description, {statistics.size, pool, warnings, description.render.light_choice, noted_files});
-  inspect::warn_about_averted_lights(description, warnings);
-  inspect::warn_about_empty_solids(description, scene, warnings);
-  inspect::warn_about_buried_camera(description, scene, warnings);
-  statistics.scene = scene.counts();
-  statistics.seconds.build = clock.lap();
-
-  const film::Film::Settings film_settings{.width = statistics.size.width,
-                                           .height = statistics.size.height,
-                                           .layers = outputs.layers(),
-                                           .exposure_factor = description.film.exposure,
-                                           .scene_size = scene.size()};
+void render_prepared(const RenderCommand& command, const Outputs& outputs, const Prepared& prepared,
+                     const Workshop& with) {
+  const auto& [description, scene] = prepared;
+  RunStatistics& statistics = with.statistics;
+  const film::Film::Settings film_settings = film_settings_of(prepared, outputs);
   render::check_memory(film_settings);
   const double cpu_seconds_before = process_cpu_seconds();
+  with.display.begin(Phase::photons, command.scene.frame);
   const render::BlockRenderer renderer(scene, render::sample_settings(description.render),
-                                       {film_settings.width, film_settings.height}, pool);
-  warn_about_caustics(renderer.caustics().state(), warnings);
-  warn_about_maps(renderer.illumination(), warnings);
-  const render::Origin origin = origin_of(command, description, files);
+                                       {film_settings.width, film_settings.height}, with.pool);
+  warn_about_caustics(renderer.caustics().state(), with.warnings);
+  warn_about_maps(renderer.illumination(), with.warnings);
+  const InputFiles none;
+  const render::Origin origin =
+      origin_of(command, description, with.files != nullptr ? *with.files : none);
   Start start = start_of(command, outputs, origin, film_settings, renderer);
   statistics.samples_before = start.canvas.film().pass_count();
-  statistics.maps = renderer.illumination();
-  statistics.seconds.photons = clock.lap();
-  print_warnings(warnings.take());
+  statistics.seconds.photons = with.clock.lap();
+  print_warnings(with.warnings.take());
   if (command.progress != ProgressStyle::none) print_start(start, outputs);
 
-  std::optional<Checkpoints> checkpoints;
-  if (!outputs.checkpoint().empty()) {
-    checkpoints.emplace(outputs, origin, command.checkpoint_seconds);
-  }
+  with.display.begin(Phase::render, command.scene.frame);
+  BetweenBlocks between = between_blocks(command, outputs, origin);
   const Work work{renderer, stop_rules_of(command, description.render), start.canvas};
-  statistics.render = render_watched(command, work, checkpoints ? &*checkpoints : nullptr, pool);
-  if (checkpoints) statistics.checkpoints = checkpoints->written();
+  statistics.render = render_watched(command, work, between, with.display, with.pool);
+  if (between.checkpoints) statistics.checkpoints = between.checkpoints->written();
   statistics.render_cpu_seconds = process_cpu_seconds() - cpu_seconds_before;
   statistics.samples_per_pixel = start.canvas.picture().pass_count();
-  statistics.seconds.render = clock.lap();
+  statistics.seconds.render = with.clock.lap();
 
+  with.display.begin(Phase::write, command.scene.frame);
   write_pictures(outputs, origin, start, statistics,
                  completion_of(command, work.rules, statistics.render.ending));
-  statistics.seconds.write = clock.lap();
-  if (!command.stats_file.empty()) write_text(command.stats_file, to_json(statistics));
-  warn_about_faults(start.canvas.picture().faults(), warnings);
+  between.finish(start.canvas);
+  statistics.seconds.write = with.clock.lap();
+  if (!command.stats_file.empty()) {
+    write_text(command.stats_file, to_json(statistics, renderer.illumination()));
+  }
+  with.display.finish();
+  warn_about_faults(start.canvas.picture().faults(), with.warnings);
+}
+
+ExitCode render_picture(const RenderCommand& command, Kept& kept, ThreadPool& pool) {
+  const Outputs outputs(command.outputs, command.checkpoint_seconds != 0.0
+                                             ? Outputs::Checkpoints::kept
+                                             : Outputs::Checkpoints::none);
+  check_files(command, outputs);
+  RunStatistics statistics;
+  statistics.threads = pool.threads();
+  WarningLog warnings;
+  InputFiles files;  // noted for checkpoints alone: a large mesh takes a while
+  const auto display = make_progress_display(command.progress);
+  PhaseClock clock;
+  const Workshop workshop{pool,      warnings, outputs.checkpoint().empty() ? nullptr : &files,
+                          kept,      *display, clock,
+                          statistics};
+  render_prepared(command, outputs, prepare(command, workshop), workshop);
   print_warnings(warnings.take());
   if (command.progress != ProgressStyle::none) print_summary(outputs.pictures(), statistics);
   return statistics.render.ending == render::Ending::interrupted ? ExitCode::interrupted
                                                                  : ExitCode::done;
+}
+
+ExitCode render_frames(const RenderCommand& command, ThreadPool& pool) {
+  Kept kept;
+  for (int frame = command.frames->first; frame <= command.frames->last; ++frame) {
+    const RenderCommand one = of_frame(command, frame);
+    if (is_done_already(one)) {
+      if (command.progress != ProgressStyle::none) {
+        print_note(fmt::format("{}: there already", fmt::join(one.outputs, ", ")));
+      }
+      continue;
+    }
+    try {
+      const ExitCode code = render_picture(one, kept, pool);
+      if (code != ExitCode::done) return code;
+    } catch (const Error& error) {
+      throw Error(error.where(), fmt::format("frame {}: {}", frame, error.problem()), error.hint());
+    }
+  }
+  return ExitCode::done;
+}
+
+}  // namespace
+
+ExitCode run(const RenderCommand& command) {
+  if (command.progress == ProgressStyle::json) set_message_style(MessageStyle::json);
+  check_settings(command.settings);
+  ThreadPool pool(command.threads);
+  if (command.frames) return render_frames(command, pool);
+  RenderCommand one = command;
+  if (one.outputs.empty()) {
+    const std::string stem = std::filesystem::path(command.scene.file).stem().string();
+    one.outputs = {stem + (command.scene.frame ? "_####.png" : ".png")};
+  }
+  Kept nothing;
+  return render_picture(command.scene.frame ? of_frame(one, *command.scene.frame) : one, nothing,
+                        pool);
 }
 
 }  // namespace lapidary::app

@@ -77,6 +77,10 @@ render::Origin origin_of(const RenderCommand& command,
   if (command.scene.up) {
     origin.parameters.emplace_back("--up", *command.scene.up == import::UpAxis::z ? "z" : "y");
   }
+  if (command.scene.frame) {
+    origin.parameters.emplace_back("--frame", fmt::format("{}", *command.scene.frame));
+    origin.parameters.emplace_back("--fps", fmt::format("{}", command.scene.fps));
+  }
   return origin;
 }
 

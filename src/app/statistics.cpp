@@ -2,8 +2,11 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
+
+#include "app/progress.h"
 
 namespace lapidary::app {
 namespace {
@@ -35,6 +38,11 @@ nlohmann::ordered_json to_json(const transport::IlluminationMaps& maps) {
   return json;
 }
 
+/// As a word.
+const char* ending_of(const RunStatistics& statistics) {
+  return statistics.render.ending == render::Ending::interrupted ? "interrupted" : "complete";
+}
+
 }  // namespace
 
 double process_cpu_seconds() {
@@ -42,12 +50,32 @@ double process_cpu_seconds() {
   return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
 }
 
-std::string to_json(const RunStatistics& s) {
+std::string summary_line(const std::string& picture, const RunStatistics& s) {
+  std::string line =
+      fmt::format("{}: {}x{}, {} samples per pixel, {}", picture, s.size.width, s.size.height,
+                  s.samples_per_pixel, format_duration(s.seconds.render));
+  if (std::isfinite(s.render.noise)) line += fmt::format(", noise {:.3g}", s.render.noise);
+  if (s.render.ending == render::Ending::interrupted) line += ", interrupted";
+  return line;
+}
+
+std::string json_line(const std::string& picture, const RunStatistics& s) {
+  nlohmann::ordered_json json = {{"event", "picture"},
+                                 {"file", picture},
+                                 {"ended", ending_of(s)},
+                                 {"size", {s.size.width, s.size.height}},
+                                 {"samples_per_pixel", s.samples_per_pixel},
+                                 {"seconds", s.seconds.render}};
+  if (std::isfinite(s.render.noise)) json["noise"] = s.render.noise;
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::string to_json(const RunStatistics& s, const transport::IlluminationMaps* maps) {
   const long peak_kibibytes = usage_of_process().ru_maxrss;
   const render::BlockTally& tally = s.render.tally;
   nlohmann::ordered_json json = {
       {"version", LAPIDARY_VERSION},
-      {"ended", s.render.ending == render::Ending::interrupted ? "interrupted" : "complete"},
+      {"ended", ending_of(s)},
       {"scene",
        {{"objects", s.scene.objects},
         {"operands", s.scene.operands},
@@ -75,7 +103,7 @@ std::string to_json(const RunStatistics& s) {
       {"saturated_samples", tally.faults.saturated},
       {"noise", nullptr}};
   json["photons"]["bytes"] = tally.photon_bytes;
-  if (s.maps != nullptr) json["map_photons"] = to_json(*s.maps);
+  if (maps != nullptr) json["map_photons"] = to_json(*maps);
   if (std::isfinite(s.render.noise)) json["noise"] = s.render.noise;
   return json.dump(2) + "\n";
 }

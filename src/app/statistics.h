@@ -29,15 +29,20 @@ struct RunStatistics {
   Checkpoints::Written checkpoints;
   int threads = 0;
   double render_cpu_seconds = 0;  ///< processor time of the phase `render`
-  /// Null unless paths end in illumination maps; only read by `to_json`.
-  const transport::IlluminationMaps* maps = nullptr;
   render::Statistics render;
 };
 
 /// Processor time that the process has used so far, of all threads.
 double process_cpu_seconds();
 
-/// As JSON, with what the operating system says about the process: CPU time and memory.
-std::string to_json(const RunStatistics& statistics);
+/// One line about a picture that was written, for people.
+std::string summary_line(const std::string& picture, const RunStatistics& statistics);
+
+/// The same as one JSON object.
+std::string json_line(const std::string& picture, const RunStatistics& statistics);
+
+/// As JSON, with what the operating system says about the process: CPU time and memory. `maps` are
+/// those that paths end in; null: there are none.
+std::string to_json(const RunStatistics& statistics, const transport::IlluminationMaps* maps);
 
 }  // namespace lapidary::app

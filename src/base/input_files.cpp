@@ -28,6 +28,11 @@ void InputFiles::add(const fs::path& file, std::span<const std::byte> content) {
   add(file, hash.finish());
 }
 
+void InputFiles::add(const InputFiles& others) {
+  const std::scoped_lock lock(mutex_, others.mutex_);
+  files_.insert(others.files_.begin(), others.files_.end());
+}
+
 std::vector<FileRecord> InputFiles::relative_to(const fs::path& folder) const {
   const fs::path real = real_path(folder);
   const std::lock_guard lock(mutex_);

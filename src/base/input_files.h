@@ -30,6 +30,9 @@ class InputFiles {
   /// The same of all its bytes.
   void add(const std::filesystem::path& file, std::span<const std::byte> content);
 
+  /// What others have noted.
+  void add(const InputFiles& others);
+
   /// Sorted, each once, with names relative to `folder`: the same wherever a folder with all of
   /// them is. A file that changed between two readings is there twice.
   std::vector<FileRecord> relative_to(const std::filesystem::path& folder) const;

@@ -16,6 +16,8 @@ struct Motion {
   AxisAngle turn;
   Vec3d scale{1, 1, 1};  ///< > 0
   Vec3d travel;
+
+  bool operator==(const Motion&) const = default;
 };
 
 /// The map of a motion at a time in [0, 1], with what rounding has done to it.
@@ -45,10 +47,14 @@ class MovingTransform {
   /// Contains what it makes of a box at any time in [0, 1].
   Box3d swept(const Box3d& own) const;
 
+  bool operator==(const MovingTransform&) const = default;
+
  private:
   struct Step {
     Transform before;
     Motion motion;
+
+    bool operator==(const Step&) const = default;
   };
   RoundedMap rounded_at(double time) const;
 

@@ -24,6 +24,7 @@ struct TriangleMesh {
   std::vector<std::uint16_t> materials;
 
   Vec3d position(std::uint32_t vertex) const { return origin + Vec3d(positions[vertex]); }
+  bool operator==(const TriangleMesh&) const = default;
 };
 
 /// Of all vertices, used or not.

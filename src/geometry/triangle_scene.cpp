@@ -5,6 +5,7 @@
 #else
 #include <embree3/rtcore.h>
 #endif
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -19,7 +20,7 @@ namespace {
 constexpr RTCSceneFlags scene_flags = RTC_SCENE_FLAG_ROBUST;
 constexpr RTCBuildQuality build_quality = RTC_BUILD_QUALITY_MEDIUM;
 
-using DeviceHandle = std::unique_ptr<std::remove_pointer_t<RTCDevice>, decltype(&rtcReleaseDevice)>;
+using DeviceHandle = std::shared_ptr<std::remove_pointer_t<RTCDevice>>;
 using SceneHandle = std::unique_ptr<std::remove_pointer_t<RTCScene>, decltype(&rtcReleaseScene)>;
 using GeometryHandle =
     std::unique_ptr<std::remove_pointer_t<RTCGeometry>, decltype(&rtcReleaseGeometry)>;
@@ -28,7 +29,7 @@ using GeometryHandle =
 /// where the pool put them.
 DeviceHandle new_device() {
   // No number of threads: Embree would hold all of the process to it for the life of the device.
-  DeviceHandle device(rtcNewDevice("isa=avx2,set_affinity=0"), &rtcReleaseDevice);
+  const DeviceHandle device(rtcNewDevice("isa=avx2,set_affinity=0"), &rtcReleaseDevice);
   if (!device) throw Error({}, "the ray tracing library Embree could not be started");
   return device;
 }
@@ -88,6 +89,12 @@ struct TriangleScene::State {
   struct Vertices {
     std::vector<Vec3f> positions;
   };
+  /// A mesh in its own coordinates, which all that use it share.
+  struct SharedMesh {
+    std::shared_ptr<const TriangleMesh> mesh;
+    Vertices vertices;
+    SceneHandle scene{nullptr, &rtcReleaseScene};
+  };
   struct Placed {
     MeshPlacement placement;
     const Vertices* vertices = nullptr;
@@ -102,25 +109,26 @@ struct TriangleScene::State {
   std::vector<Placed> placed;
   std::vector<std::uint32_t> moving;  ///< of `placed`
   Bvh moving_boxes;
-  std::map<const TriangleMesh*, std::unique_ptr<Vertices>> shared_vertices;
+  std::map<const TriangleMesh*, std::shared_ptr<const SharedMesh>> shared_meshes;
   std::vector<std::unique_ptr<Vertices>> own_vertices;
   Vec3d center;
   Box3d bounds;
-  DeviceHandle device{nullptr, &rtcReleaseDevice};
-  std::vector<SceneHandle> mesh_scenes;
+  DeviceHandle device;
   SceneHandle scene{nullptr, &rtcReleaseScene};
 
-  void attach(RTCScene into, const TriangleMesh& mesh, const Vertices& vertices, unsigned id);
+  void build(ThreadPool& pool, const State* earlier);
+  void attach(RTCScene into, const TriangleMesh& mesh, const Vertices& vertices, unsigned id) const;
   void attach_instance(RTCScene of, const Transform& center_from_vertices, unsigned id);
   void add_flat(unsigned id);
-  void add_instanced(unsigned id, std::map<const TriangleMesh*, RTCScene>& scenes);
-  void add_moving(unsigned id, std::map<const TriangleMesh*, RTCScene>& scenes);
-  RTCScene scene_of(const TriangleMesh& mesh, std::map<const TriangleMesh*, RTCScene>& scenes);
+  void add_instanced(unsigned id, const State* earlier);
+  void add_moving(unsigned id, const State* earlier);
+  const SharedMesh& shared(const std::shared_ptr<const TriangleMesh>& mesh, const State* earlier);
+  std::shared_ptr<const SharedMesh> find_shared(const TriangleMesh& mesh) const;
   void build_moving_boxes();
 };
 
 void TriangleScene::State::attach(RTCScene into, const TriangleMesh& mesh, const Vertices& vertices,
-                                  unsigned id) {
+                                  unsigned id) const {
   const GeometryHandle geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE),
                                 &rtcReleaseGeometry);
   rtcSetGeometryBuildQuality(geometry.get(), build_quality);
@@ -166,39 +174,50 @@ void TriangleScene::State::add_flat(unsigned id) {
   own_vertices.push_back(std::move(vertices));
 }
 
-void TriangleScene::State::add_instanced(unsigned id,
-                                         std::map<const TriangleMesh*, RTCScene>& scenes) {
+void TriangleScene::State::add_instanced(unsigned id, const State* earlier) {
   Placed& p = placed[id];
-  const TriangleMesh& mesh = *p.placement.mesh;
-  const RTCScene of = scene_of(mesh, scenes);
+  const SharedMesh& mesh = shared(p.placement.mesh, earlier);
   p.instanced = true;
-  p.vertices = shared_vertices[&mesh].get();
+  p.vertices = &mesh.vertices;
   p.center_from_vertices = Transform::translation(-center) * p.placement.world_from_mesh *
-                           Transform::translation(mesh.origin);
-  attach_instance(of, p.center_from_vertices, id);
+                           Transform::translation(mesh.mesh->origin);
+  attach_instance(mesh.scene.get(), p.center_from_vertices, id);
 }
 
-/// A scene of the mesh alone, in its own coordinates, which all that use it share.
-RTCScene TriangleScene::State::scene_of(const TriangleMesh& mesh,
-                                        std::map<const TriangleMesh*, RTCScene>& scenes) {
-  auto& vertices = shared_vertices[&mesh];
-  if (!vertices) {
-    vertices = std::make_unique<Vertices>(Vertices{mesh.positions});
-    vertices->positions.emplace_back();
-    mesh_scenes.push_back(new_scene(device.get()));
-    attach(mesh_scenes.back().get(), mesh, *vertices, 0);
-    rtcCommitScene(mesh_scenes.back().get());
-    scenes[&mesh] = mesh_scenes.back().get();
+/// By content where it is not the very same.
+std::shared_ptr<const TriangleScene::State::SharedMesh> TriangleScene::State::find_shared(
+    const TriangleMesh& mesh) const {
+  if (const auto found = shared_meshes.find(&mesh); found != shared_meshes.end()) {
+    return found->second;
   }
-  return scenes[&mesh];
+  const auto found = std::ranges::find_if(
+      shared_meshes, [&](const auto& entry) { return *entry.second->mesh == mesh; });
+  return found == shared_meshes.end() ? nullptr : found->second;
 }
 
-void TriangleScene::State::add_moving(unsigned id,
-                                      std::map<const TriangleMesh*, RTCScene>& scenes) {
+const TriangleScene::State::SharedMesh& TriangleScene::State::shared(
+    const std::shared_ptr<const TriangleMesh>& mesh, const State* earlier) {
+  auto& entry = shared_meshes[mesh.get()];
+  if (entry) return *entry;
+  if (earlier != nullptr) entry = earlier->find_shared(*mesh);
+  if (entry) return *entry;
+  const auto fresh = std::make_shared<SharedMesh>();
+  fresh->mesh = mesh;
+  fresh->vertices.positions = mesh->positions;
+  fresh->vertices.positions.emplace_back();
+  fresh->scene = new_scene(device.get());
+  attach(fresh->scene.get(), *mesh, fresh->vertices, 0);
+  rtcCommitScene(fresh->scene.get());
+  entry = fresh;
+  return *entry;
+}
+
+void TriangleScene::State::add_moving(unsigned id, const State* earlier) {
   Placed& p = placed[id];
-  p.own_scene = scene_of(*p.placement.mesh, scenes);
-  p.vertices = shared_vertices[p.placement.mesh.get()].get();
-  p.origin = p.placement.mesh->origin;
+  const SharedMesh& mesh = shared(p.placement.mesh, earlier);
+  p.own_scene = mesh.scene.get();
+  p.vertices = &mesh.vertices;
+  p.origin = mesh.mesh->origin;
   moving.push_back(id);
 }
 
@@ -213,44 +232,63 @@ void TriangleScene::State::build_moving_boxes() {
   moving_boxes = Bvh(boxes);
 }
 
-TriangleScene::TriangleScene() : state_(std::make_unique<State>()) {}
-TriangleScene::~TriangleScene() = default;
-TriangleScene::TriangleScene(TriangleScene&&) noexcept = default;
-TriangleScene& TriangleScene::operator=(TriangleScene&&) noexcept = default;
-
-TriangleScene::TriangleScene(std::vector<MeshPlacement> placements, ThreadPool& pool)
-    : TriangleScene() {
-  if (placements.empty()) return;
-  State& s = *state_;
+void TriangleScene::State::build(ThreadPool& pool, const State* earlier) {
   std::map<const TriangleMesh*, int> uses;
-  for (MeshPlacement& placement : placements) {
-    if (!placement.motion) ++uses[placement.mesh.get()];
-    const Box3d own = geometry::bounds(*placement.mesh);
-    s.bounds.extend(placement.motion ? placement.motion->swept(own)
-                                     : placement.world_from_mesh.box(own));
-    s.placed.push_back({.placement = std::move(placement)});
+  for (const Placed& p : placed) {
+    if (!p.placement.motion) ++uses[p.placement.mesh.get()];
   }
-  s.center = s.bounds.center();
-  s.device = new_device();
-  s.scene = new_scene(s.device.get());
-  pool.run_inside([&s, &uses] {
-    std::map<const TriangleMesh*, RTCScene> mesh_scenes;
-    for (unsigned id = 0; id < s.placed.size(); ++id) {
-      if (s.placed[id].placement.motion) {
-        s.add_moving(id, mesh_scenes);
-      } else if (uses[s.placed[id].placement.mesh.get()] == 1) {
-        s.add_flat(id);
+  // What is shared with an earlier scene lives on its device.
+  device = earlier != nullptr && earlier->device ? earlier->device : new_device();
+  scene = new_scene(device.get());
+  pool.run_inside([&] {
+    for (unsigned id = 0; id < placed.size(); ++id) {
+      if (placed[id].placement.motion) {
+        add_moving(id, earlier);
+      } else if (uses[placed[id].placement.mesh.get()] == 1) {
+        add_flat(id);
       } else {
-        s.add_instanced(id, mesh_scenes);
+        add_instanced(id, earlier);
       }
     }
-    rtcCommitScene(s.scene.get());
+    rtcCommitScene(scene.get());
   });
-  s.build_moving_boxes();
-  if (rtcGetDeviceError(s.device.get()) != RTC_ERROR_NONE) {
+  build_moving_boxes();
+  if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE) {
     throw Error({}, "the triangles could not be put into a ray tracing structure",
                 "is there enough memory?");
   }
+}
+
+bool is_same(const MeshPlacement& a, const MeshPlacement& b) {
+  const bool same_mesh = a.mesh == b.mesh || *a.mesh == *b.mesh;
+  const bool same_motion = a.motion == b.motion || (a.motion && b.motion && *a.motion == *b.motion);
+  return a.world_from_mesh == b.world_from_mesh && same_motion && same_mesh;
+}
+
+TriangleScene::TriangleScene() : state_(std::make_shared<const State>()) {}
+
+TriangleScene::TriangleScene(std::vector<MeshPlacement> placements, ThreadPool& pool,
+                             const TriangleScene* earlier)
+    : TriangleScene() {
+  const auto placement_of = [](const State::Placed& p) -> const MeshPlacement& {
+    return p.placement;
+  };
+  if (placements.empty()) return;
+  if (earlier != nullptr &&
+      std::ranges::equal(placements, earlier->state_->placed, is_same, {}, placement_of)) {
+    state_ = earlier->state_;
+    return;
+  }
+  const auto fresh = std::make_shared<State>();
+  for (MeshPlacement& placement : placements) {
+    const Box3d own = geometry::bounds(*placement.mesh);
+    fresh->bounds.extend(placement.motion ? placement.motion->swept(own)
+                                          : placement.world_from_mesh.box(own));
+    fresh->placed.push_back({.placement = std::move(placement)});
+  }
+  fresh->center = fresh->bounds.center();
+  fresh->build(pool, earlier != nullptr ? earlier->state_.get() : nullptr);
+  state_ = fresh;
 }
 
 bool TriangleScene::empty() const {

@@ -19,6 +19,9 @@ struct MeshPlacement {
   std::shared_ptr<const MovingTransform> motion = nullptr;  ///< the same over it; null: at rest
 };
 
+/// Whether they put the same triangles in the same place, whoever owns them.
+bool is_same(const MeshPlacement& a, const MeshPlacement& b);
+
 /// Where a line meets a triangle, to float accuracy until refined.
 struct TriangleHit {
   double t = infinity;
@@ -33,7 +36,7 @@ struct Corners {
   Vec3d p0, p1, p2;
 };
 
-/// All triangles of a scene, in Embree: the only place that knows it.
+/// All triangles of a scene, in Embree: the only place that knows it. Copies share what was built.
 ///
 /// Embree works in float about the centre of the triangles; `refine` computes t and the
 /// barycentric weights of what it finds again, in double, from the same corners. That is a step of
@@ -50,10 +53,11 @@ class TriangleScene {
   static constexpr double largest_coordinate = 1e18;
 
   TriangleScene();  ///< no triangles: nothing is ever hit
-  TriangleScene(std::vector<MeshPlacement> placements, ThreadPool& pool);
-  ~TriangleScene();
-  TriangleScene(TriangleScene&&) noexcept;
-  TriangleScene& operator=(TriangleScene&&) noexcept;
+  /// What `earlier` has of the same is shared with it instead of built again: all of it where
+  /// nothing has moved, else what was built of meshes that stand in several places, or move. It may
+  /// be null, and changes no hit.
+  TriangleScene(std::vector<MeshPlacement> placements, ThreadPool& pool,
+                const TriangleScene* earlier = nullptr);
 
   bool empty() const;
   /// The nearest triangle at 0 < t < t_max; false, and `hit` untouched, when there is none.
@@ -85,7 +89,7 @@ class TriangleScene {
 
  private:
   struct State;
-  std::unique_ptr<State> state_;
+  std::shared_ptr<const State> state_;
 };
 
 }  // namespace lapidary::geometry

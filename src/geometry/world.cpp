@@ -13,7 +13,7 @@ Vec3d facing(Vec3d n, Vec3d side) {
 
 }  // namespace
 
-World::World(Parts parts, ThreadPool& pool)
+World::World(Parts parts, ThreadPool& pool, const TriangleScene* earlier)
     : solids_(std::move(parts.solids)),
       stated_sheets_(std::move(parts.sheets)),
       bounds_(solids_.bounded_part()) {
@@ -24,7 +24,7 @@ World::World(Parts parts, ThreadPool& pool)
     sheets_.push_back(prepared(sheet));
   }
   sheet_bvh_ = Bvh(boxes);
-  triangles_ = TriangleScene(std::move(parts.meshes), pool);
+  triangles_ = TriangleScene(std::move(parts.meshes), pool, earlier);
   bounds_.extend(triangles_.bounds());
 }
 

@@ -42,7 +42,9 @@ class World {
   };
 
   World() = default;
-  World(Parts parts, ThreadPool& pool);
+  /// `earlier` are the triangles of a world before this, and may be null: what is the same of them
+  /// is not built again.
+  World(Parts parts, ThreadPool& pool, const TriangleScene* earlier = nullptr);
 
   /// The nearest surface at 0 < t < ray.t_max; kind none when there is none.
   ///

@@ -1,6 +1,7 @@
 #include "import/image_file.h"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -43,23 +44,40 @@ void check_finite(const Image& picture, const std::filesystem::path& file) {
       "a texture needs a value everywhere");
 }
 
-}  // namespace
-
-std::shared_ptr<const texture::Pyramid> ImageFiles::read(const std::filesystem::path& file,
-                                                         const PictureOptions& options) {
-  auto& pyramid = read_[{file, options}];
-  if (pyramid) return pyramid;
+Image picture_of(const std::filesystem::path& file, const PictureOptions& options,
+                 InputFiles* files) {
   image::ReadOptions how = reading(options);
-  how.files = files_;
+  how.files = files;
   Image picture = image::read_image(file, how);
   if (options.channel != PictureChannel::color) picture = one_channel(picture, options.channel);
   check_finite(picture, file);
   if (options.space == PictureSpace::srgb) {
     for (float& v : picture.pixels) v = srgb_decode(v);
   }
-  pyramid = std::make_shared<const texture::Pyramid>(picture);
-  bytes_ += pyramid->bytes();
-  return pyramid;
+  return picture;
+}
+
+}  // namespace
+
+std::shared_ptr<const texture::Pyramid> ImageFiles::read(const std::filesystem::path& file,
+                                                         const PictureOptions& options,
+                                                         InputFiles* files) {
+  Entry& entry = read_[{file, options}];
+  if (!entry.pyramid) {
+    const auto noted = files != nullptr ? std::make_shared<InputFiles>() : nullptr;
+    entry.pyramid =
+        std::make_shared<const texture::Pyramid>(picture_of(file, options, noted.get()));
+    entry.files = noted;
+  }
+  if (!std::exchange(entry.is_used, true)) bytes_ += entry.pyramid->bytes();
+  if (files != nullptr && entry.files) files->add(*entry.files);
+  return entry.pyramid;
+}
+
+void ImageFiles::begin_scene() {
+  std::erase_if(read_, [](const auto& read) { return !read.second.is_used; });
+  for (auto& [key, entry] : read_) entry.is_used = false;
+  bytes_ = 0;
 }
 
 }  // namespace lapidary::import

@@ -30,21 +30,26 @@ struct PictureOptions {
 /// Reads pictures for textures; one that is asked for again in the same way is shared.
 class ImageFiles {
  public:
-  /// `files` notes what is read; null: nobody wants to know.
-  explicit ImageFiles(InputFiles* files = nullptr) : files_(files) {}
-
+  /// `files` notes what is read, or was when it was read first; null: nobody wants to know.
   /// Throws Error when the file is no whole picture, or has numbers that are not finite.
   std::shared_ptr<const texture::Pyramid> read(const std::filesystem::path& file,
-                                               const PictureOptions& options);
+                                               const PictureOptions& options,
+                                               InputFiles* files = nullptr);
 
-  /// Bytes that all pictures hold.
+  /// Bytes that all pictures hold which the present scene has asked for.
   std::size_t bytes() const { return bytes_; }
 
+  /// Another scene follows: drops what the present one has not asked for.
+  void begin_scene();
+
  private:
-  InputFiles* files_;
-  std::map<std::pair<std::filesystem::path, PictureOptions>,
-           std::shared_ptr<const texture::Pyramid>>
-      read_;
+  struct Entry {
+    std::shared_ptr<const texture::Pyramid> pyramid;
+    std::shared_ptr<const InputFiles> files;
+    bool is_used = false;  ///< by the present scene
+  };
+
+  std::map<std::pair<std::filesystem::path, PictureOptions>, Entry> read_;
   std::size_t bytes_ = 0;
 };
 

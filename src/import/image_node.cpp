@@ -52,10 +52,10 @@ struct ImageParameters : texture::Picture, PictureOptions {
 };
 
 /// What is wrong with the file, where the scene names it.
-std::shared_ptr<const texture::Pyramid> read(const ImageParameters& image, ImageFiles& files,
-                                             const Context& context) {
+std::shared_ptr<const texture::Pyramid> read(const ImageParameters& image, ImageFiles& images,
+                                             InputFiles* files, const Context& context) {
   try {
-    return files.read(image.file.path, image);
+    return images.read(image.file.path, image, files);
   } catch (const Error& error) {
     throw context.at("file").error(fmt::format("{} {}", error.where().file, error.problem()),
                                    error.hint());
@@ -88,13 +88,14 @@ Declaration<ImageParameters> declare_image() {
 
 }  // namespace
 
-schema::NodeKind image_kind(ImageFiles& files) {
-  return node_kind(declare_image(), [&files](ImageParameters&& image, const Context& context) {
-    const std::size_t before = files.bytes();
-    image.pyramid = read(image, files, context);
+schema::NodeKind image_kind(ImageFiles& images, InputFiles* files) {
+  const auto make = [&images, files](ImageParameters&& image, const Context& context) {
+    const std::size_t before = images.bytes();
+    image.pyramid = read(image, images, files, context);
     return description::texture_node(texture::Picture(std::move(image)), context,
-                                     files.bytes() - before);
-  });
+                                     images.bytes() - before);
+  };
+  return node_kind(declare_image(), make);
 }
 
 }  // namespace lapidary::import

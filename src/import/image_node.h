@@ -5,8 +5,8 @@
 
 namespace lapidary::import {
 
-/// The node `image`, a texture from a file. What it constructs comes through `files`, which must
-/// outlive it.
-schema::NodeKind image_kind(ImageFiles& files);
+/// The node `image`, a texture from a file. What it constructs comes through `images`, which must
+/// outlive it, and is noted in `files`, which may be null.
+schema::NodeKind image_kind(ImageFiles& images, InputFiles* files);
 
 }  // namespace lapidary::import

@@ -27,20 +27,39 @@ std::shared_ptr<const Transform> upright(UpAxis up) {
 }
 
 description::ObjectPtr MeshFiles::read(const std::filesystem::path& file,
-                                       const MeshOptions& options) {
-  description::ObjectPtr& object = read_[{file, options}];
-  if (object) return object;
+                                       const MeshOptions& options, const MeshReading& reading) {
+  Entry& entry = read_[{file, options}];
+  if (!entry.object) {
+    const auto noted = reading.files != nullptr ? std::make_shared<InputFiles>() : nullptr;
+    entry.object = read_object(file, options, {reading.warnings, reading.allow, noted.get()});
+    entry.files = noted;
+  }
+  entry.is_used = true;
+  if (reading.files != nullptr && entry.files) reading.files->add(*entry.files);
+  return entry.object;
+}
+
+void MeshFiles::begin_scene() {
+  std::erase_if(read_, [](const auto& read) { return !read.second.is_used; });
+  for (auto& [key, entry] : read_) entry.is_used = false;
+}
+
+description::ObjectPtr MeshFiles::read_object(const std::filesystem::path& file,
+                                              const MeshOptions& options,
+                                              const MeshReading& reading) const {
   if (lower_extension(file) != ".obj") {
     throw file_error(file.string(), "is of no kind of mesh that can be read",
                      "this version reads .obj");
   }
-  ObjScene obj = read_obj(
-      file, {.warnings = warnings_, .allow = allow_, .files = files_, .normals = options.normals});
+  ObjScene obj = read_obj(file, {.warnings = reading.warnings,
+                                 .allow = reading.allow,
+                                 .files = reading.files,
+                                 .normals = options.normals});
   description::Mesh mesh;
   // What no file defines (no `newmtl` line) is left for the object's own material to fill.
-  const MtlReading reading{warnings_, images_, allow_};
+  const MtlReading materials{reading.warnings, images_, reading.allow, reading.files};
   for (const MtlMaterial& material : obj.materials) {
-    mesh.materials.push_back(material.where.line > 0 ? to_material(material, reading) : nullptr);
+    mesh.materials.push_back(material.where.line > 0 ? to_material(material, materials) : nullptr);
   }
   mesh.triangles = std::make_shared<const geometry::TriangleMesh>(std::move(obj.mesh));
   auto fresh = std::make_shared<description::Object>();
@@ -49,7 +68,7 @@ description::ObjectPtr MeshFiles::read(const std::filesystem::path& file,
   fresh->attributes = std::make_shared<const description::Attributes>(
       description::Attributes{.name = file.stem().string()});
   fresh->where = {std::make_shared<const std::string>(file.string()), 0};
-  return object = fresh;
+  return fresh;
 }
 
 std::size_t size_in_memory(const geometry::TriangleMesh& mesh) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -26,26 +27,39 @@ struct MeshOptions {
 /// The placement that stands a mesh of that orientation upright, z up; null when it does already.
 std::shared_ptr<const Transform> upright(UpAxis up);
 
-/// Reads mesh files; a file that is asked for again is shared, and so becomes an instance.
+/// What is told while a mesh is read, and what it may read in turn.
+struct MeshReading {
+  WarningLog* warnings = nullptr;  ///< null: nobody wants to know
+  AllowFile allow = {};            ///< which files a mesh file may refer to; empty: any
+  InputFiles* files = nullptr;     ///< notes what is read; null: nobody wants to know
+};
+
+/// Reads mesh files; a file that is asked for again is shared, and so becomes an instance. It is
+/// then noted again, but does not warn again.
 class MeshFiles {
  public:
-  /// `warnings` may be null. `allow` says which files a mesh file may refer to; empty: any.
-  /// Pictures come through `images`, which must outlive this; null: materials have none. `files`
-  /// notes what is read of meshes and materials, and may be null.
-  explicit MeshFiles(WarningLog* warnings = nullptr, AllowFile allow = {},
-                     ImageFiles* images = nullptr, InputFiles* files = nullptr)
-      : warnings_(warnings), allow_(std::move(allow)), images_(images), files_(files) {}
+  /// Pictures come through `images`, which must outlive this; null: materials have none.
+  explicit MeshFiles(ImageFiles* images = nullptr) : images_(images) {}
 
   /// The file as an object with its materials, called like the file and standing upright. Throws
   /// Error when it cannot be read or has no triangles.
-  description::ObjectPtr read(const std::filesystem::path& file, const MeshOptions& options);
+  description::ObjectPtr read(const std::filesystem::path& file, const MeshOptions& options,
+                              const MeshReading& reading);
+
+  /// Another scene follows: drops what the present one has not asked for.
+  void begin_scene();
 
  private:
-  WarningLog* warnings_;
-  AllowFile allow_;
+  struct Entry {
+    description::ObjectPtr object;
+    std::shared_ptr<const InputFiles> files;
+    bool is_used = false;  ///< by the present scene
+  };
+  description::ObjectPtr read_object(const std::filesystem::path& file, const MeshOptions& options,
+                                     const MeshReading& reading) const;
+
   ImageFiles* images_;
-  InputFiles* files_;
-  std::map<std::pair<std::filesystem::path, MeshOptions>, description::ObjectPtr> read_;
+  std::map<std::pair<std::filesystem::path, MeshOptions>, Entry> read_;
 };
 
 /// Bytes that `mesh` holds, about.

@@ -40,11 +40,12 @@ struct MeshParameters : MeshLists {
 
 using Parameters = description::ObjectOf<MeshParameters>;
 
-Node mesh_from_file(Parameters&& m, MeshFiles& files, const Context& context) {
+Node mesh_from_file(Parameters&& m, MeshFiles& meshes, const MeshReading& reading,
+                    const Context& context) {
   if (!m.vertices.empty() || !m.faces.empty() || !m.normals.empty() || !m.uvs.empty()) {
     context.fail("takes either 'file' or lists of vertices and faces, not both");
   }
-  Object read = *files.read(m.file->path, {m.shading, m.up});
+  Object read = *meshes.read(m.file->path, {m.shading, m.up}, reading);
   read.where = context.call().where;
   ObjectPtr object = with_parameters(std::move(read), std::move(m));
   return Node::of<Object>(context.call().node, std::move(object), sizeof(Object));
@@ -93,11 +94,12 @@ Declaration<Parameters> declare_mesh() {
 
 }  // namespace
 
-schema::NodeKind mesh_kind(MeshFiles& files) {
-  return node_kind(declare_mesh(), [&files](Parameters&& m, const Context& context) {
-    return m.file ? mesh_from_file(std::move(m), files, context)
+schema::NodeKind mesh_kind(MeshFiles& meshes, const MeshReading& reading) {
+  const auto make = [&meshes, reading](Parameters&& m, const Context& context) {
+    return m.file ? mesh_from_file(std::move(m), meshes, reading, context)
                   : mesh_from_lists(std::move(m), context);
-  });
+  };
+  return node_kind(declare_mesh(), make);
 }
 
 }  // namespace lapidary::import

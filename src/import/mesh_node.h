@@ -5,8 +5,8 @@
 
 namespace lapidary::import {
 
-/// The node `mesh`, from a file or from lists. What it constructs comes through `files`, which must
-/// outlive it.
-schema::NodeKind mesh_kind(MeshFiles& files);
+/// The node `mesh`, from a file or from lists. What it constructs comes through `meshes`, which
+/// must outlive it.
+schema::NodeKind mesh_kind(MeshFiles& meshes, const MeshReading& reading);
 
 }  // namespace lapidary::import

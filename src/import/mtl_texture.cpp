@@ -106,7 +106,7 @@ TexturePtr MtlTextures::read(const MtlTexture* stated, const PictureOptions& opt
   }
   try {
     texture::Picture picture;
-    picture.pyramid = reading_.images->read(file.path, options);
+    picture.pyramid = reading_.images->read(file.path, options, reading_.files);
     if (stated->options.clamp) picture.wrap = texture::Wrap::clamp;
     auto texture = std::make_shared<const Texture>(std::move(picture));
     return adjusted(placed(std::move(texture), stated->options), stated->options);

@@ -21,16 +21,16 @@ namespace {
 namespace fs = std::filesystem;
 using description::ObjectListReader;
 using description::SceneDescription;
-using import::ImageFiles;
-using import::MeshFiles;
+using import::MeshReading;
+using import::SceneFiles;
 
 constexpr auto what_to_return = "end the file with: return scene { objects = { ... } }";
 
 /// All kinds of nodes, in the order of the reference.
-std::vector<schema::NodeKind> node_kinds(MeshFiles& meshes, ImageFiles& images) {
+std::vector<schema::NodeKind> node_kinds(SceneFiles& files, const MeshReading& reading) {
   auto kinds = description::node_kinds();
-  kinds.push_back(import::mesh_kind(meshes));
-  kinds.push_back(import::image_kind(images));
+  kinds.push_back(import::mesh_kind(files.meshes, reading));
+  kinds.push_back(import::image_kind(files.images, reading.files));
   return kinds;
 }
 
@@ -72,11 +72,12 @@ LoadedScene load_scene(const fs::path& scene, const LoadOptions& options) {
   check_exists(scene);
   Parameters parameters(options.settings);
   const FolderGuard guard(scene.parent_path(), options.allowed);
-  ImageFiles images(options.files);
-  MeshFiles meshes(
-      options.warnings, [&guard](const fs::path& file) { return guard.allows(file); }, &images,
-      options.files);
-  const auto kinds = node_kinds(meshes, images);
+  SceneFiles own;
+  SceneFiles& files = options.kept != nullptr ? *options.kept : own;
+  files.begin_scene();
+  const auto kinds = node_kinds(
+      files, {options.warnings, [&guard](const fs::path& file) { return guard.allows(file); },
+              options.files});
   const NodeMethods methods;
   Interpreter interpreter(options.limits, guard, options.print, options.files);
   SceneDescription description;
@@ -96,10 +97,9 @@ LoadedScene load_scene(const fs::path& scene, const LoadOptions& options) {
 }
 
 std::vector<schema::NodeInfo> node_infos() {
-  MeshFiles meshes;
-  ImageFiles images;
+  SceneFiles none;
   std::vector<schema::NodeInfo> infos;
-  for (auto& kind : node_kinds(meshes, images)) infos.push_back(std::move(kind.info));
+  for (auto& kind : node_kinds(none, {})) infos.push_back(std::move(kind.info));
   for (auto& info : description::operator_infos()) infos.push_back(std::move(info));
   for (auto& info : description::texture_operator_infos()) infos.push_back(std::move(info));
   for (auto& method : description::object_methods()) infos.push_back(std::move(method.info));

@@ -10,6 +10,7 @@
 #include "base/input_files.h"
 #include "base/log.h"
 #include "description/scene_description.h"
+#include "import/scene_files.h"
 #include "lua/limits.h"
 #include "lua/scene_parameter.h"
 #include "schema/node_info.h"
@@ -23,6 +24,7 @@ struct LoadOptions {
   std::vector<std::filesystem::path> allowed;
   WarningLog* warnings = nullptr;               ///< null: nobody wants to know
   InputFiles* files = nullptr;                  ///< notes what is read; null: nobody wants to know
+  import::SceneFiles* kept = nullptr;           ///< with what earlier scenes have read; may be null
   std::function<void(std::string_view)> print;  ///< takes the lines the scene prints; may be empty
   Limits limits;
   double frame = 1;  ///< the global `frame`

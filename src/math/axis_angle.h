@@ -8,6 +8,8 @@ namespace lapidary {
 struct AxisAngle {
   Vec3d axis{0, 0, 1};  ///< unit length
   double angle = 0;     ///< radians; may be more than a whole turn
+
+  bool operator==(const AxisAngle&) const = default;
 };
 
 /// The least turn, by 0 to pi, that a rotation amounts to. Of the two that turn by pi it is either.

@@ -82,8 +82,9 @@ class Run {
     return is_of_whole_blocks(passes, canvas_.film().width(), canvas_.film().height());
   }
 
-  void block_done(std::uint64_t samples) {
-    samples_ += samples;
+  void block_done(const BlockTally& tally) {
+    samples_ += tally.samples;
+    photons_ += tally.counters.photons_emitted;
     last_ = watch_.seconds();
     block_seconds_ = last_ - block_begin_;
     noise_ = canvas_.picture().noise();
@@ -95,8 +96,13 @@ class Run {
     const auto samples = static_cast<double>(samples_);
     std::optional<std::uint32_t> planned = rules_.samples;
     if (rules_.only) planned = rules_.only->size();
-    return {canvas_.picture().pass_count(),    planned, last_,
-            last_ > 0 ? samples / last_ : 0.0, noise_,  seconds_left()};
+    return {.passes = canvas_.picture().pass_count(),
+            .passes_planned = planned,
+            .seconds = last_,
+            .samples_per_second = last_ > 0 ? samples / last_ : 0.0,
+            .noise = noise_,
+            .photons = photons_,
+            .seconds_left = seconds_left()};
   }
 
   double seconds() const { return watch_.seconds(); }
@@ -150,7 +156,7 @@ class Run {
   double block_begin_ = 0;
   double block_seconds_ = 0;
   double noise_;
-  std::uint64_t samples_ = 0;
+  std::uint64_t samples_ = 0, photons_ = 0;
 };
 
 }  // namespace
@@ -248,7 +254,7 @@ Statistics render(const BlockRenderer& renderer, const StopRules& rules, const C
     const BlockTally tally =
         is_whole ? canvas.render(renderer, next, pool) : canvas.render_cut(renderer, next, pool);
     statistics.tally += tally;
-    run.block_done(tally.samples);
+    run.block_done(tally);
     const bool is_last = !is_whole || run.next_passes().is_empty();
     if (control.on_block && !is_last) control.on_block(canvas);
     if (control.on_progress) control.on_progress(run.progress());

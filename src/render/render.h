@@ -46,7 +46,8 @@ struct Progress {
   std::optional<std::uint32_t> passes_planned;
   double seconds = 0;
   double samples_per_second = 0;
-  double noise = 0;  ///< infinite before the second block
+  double noise = 0;           ///< infinite before the second block
+  std::uint64_t photons = 0;  ///< sent out by this render
   /// By the rule that will stop first; nothing while it cannot be told.
   std::optional<double> seconds_left;
 };

@@ -254,7 +254,7 @@ Scene build(const description::SceneDescription& description, const BuildOptions
   parts.light_choice = options.light_choice == description::LightChoice::power
                            ? light::ChoiceRule::power
                            : light::ChoiceRule::influence;
-  parts.world = geometry::World(builder.take_world(), options.pool);
+  parts.world = geometry::World(builder.take_world(), options.pool, options.earlier);
   return Scene(std::move(parts));
 }
 

@@ -15,6 +15,8 @@ struct BuildOptions {
   WarningLog& warnings;
   description::LightChoice light_choice = description::LightChoice::tree;
   InputFiles* files = nullptr;  ///< notes what is read; null: nobody wants to know
+  /// Those of a scene before this, of which what is the same is not built again; null: none.
+  const geometry::TriangleScene* earlier = nullptr;
 };
 
 /// Turns what the user said into what light transport reads. The description has a camera; a scene

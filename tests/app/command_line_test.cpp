@@ -33,6 +33,36 @@ TEST(CommandLine, ReadsARenderCommand) {
   EXPECT_EQ(c.progress, ProgressStyle::json);
 }
 
+TEST(CommandLine, Frames) {
+  const auto c = parse<RenderCommand>(
+      {"render", "a.lua", "-o", "a_####.png", "--frames", "3-17", "--fps", "25"});
+  ASSERT_TRUE(c.frames);
+  EXPECT_EQ(c.frames->first, 3);
+  EXPECT_EQ(c.frames->last, 17);
+  EXPECT_EQ(c.scene.fps, 25);
+  EXPECT_FALSE(c.scene.frame);
+  EXPECT_EQ(parse<RenderCommand>({"render", "a.lua", "--frame", "7"}).scene.frame, 7);
+  EXPECT_EQ(parse<CheckCommand>({"check", "a.lua", "--frame", "7"}).scene.frame, 7);
+}
+
+TEST(CommandLine, FramesThatMakeNoSense) {
+  const auto problem = [](std::vector<std::string> options) {
+    options.insert(options.begin(), {"render", "a.lua"});
+    return problem_of(options);
+  };
+  for (const char* range : {"3-2", "-1-3", "a-b", "1-", "-", "1-2-3", "1-99999999", "1.5"}) {
+    EXPECT_THAT(problem({"-o", "#.png", "--frames", range}), HasSubstr("0 <= A <= B")) << range;
+  }
+  EXPECT_THAT(problem({"--frames", "1-2"}), HasSubstr("names for the pictures"));
+  EXPECT_THAT(problem({"--frames", "1-2", "-o", "#.png", "-o", "a.exr"}), HasSubstr("-o a.exr"));
+  EXPECT_THAT(problem({"--frames", "1-2", "-o", "#.png", "--stats", "s.json"}),
+              HasSubstr("--stats s.json"));
+  EXPECT_THAT(problem({"--frames", "1-2", "-o", "#.png", "--frame", "1"}),
+              HasSubstr("do not go together"));
+  EXPECT_THAT(problem({"--frame", "-1"}), HasSubstr("--frame"));
+  EXPECT_THAT(problem({"--fps", "0"}), HasSubstr("--fps"));
+}
+
 TEST(CommandLine, ReadsWhatLongRendersTake) {
   const auto c = parse<RenderCommand>({"render", "a.lua", "--resume", "--checkpoint", "2.5",
                                        "--blocks", "5-8", "--plan", "first.exr"});

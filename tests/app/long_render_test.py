@@ -133,7 +133,7 @@ class Resume(LongRenderTest):
                                  "--samples", "16000000")
             self.addCleanup(program.kill)
             for _ in range(3):
-                program.stderr.readline()
+                self.wait_for_block(program)
             program.send_signal(signal_number)
             program.communicate(timeout=60)
             self.assertEqual(program.returncode, 4)
@@ -289,7 +289,7 @@ class Merge(LongRenderTest):
         self.blocks("whole.exr", "3-8", "--plan", "first.exr")
         program = self.start("render", "scene.lua", "-o", "a.exr", "--blocks", "3-8", "--plan",
                              "first.exr", "--progress", "json", "--threads", "1")
-        program.stderr.readline()
+        self.wait_for_block(program)
         program.send_signal(signal.SIGTERM)
         program.communicate(timeout=60)
         self.blocks("a.exr", "3-8", "--resume")
@@ -401,6 +401,97 @@ class Disk(LongRenderTest):
             self.assertIn("cannot write in the folder",
                           self.fail_with(3, "render", "scene.lua", "-o", "disk/a.exr",
                                          "--samples", "16000000"))
+
+
+class Frames(LongRenderTest):
+    def setUp(self):
+        super().setUp()
+        scene = (self.folder / "scene.lua").read_text()
+        self.write("scene.lua", scene.replace("{1.4, 0, 0}", "{1.4 + time, 0.01 * frame, 0}"))
+
+    def frames(self, frames, output, *arguments):
+        return self.succeed("render", "scene.lua", "--frames", frames, "-o", output, "--samples",
+                            "8", *arguments)
+
+    def test_are_what_each_is_by_itself(self):
+        self.frames("9-11", "all_###.exr")
+        for frame in ("009", "010", "011"):
+            self.succeed("render", "scene.lua", "--frame", frame, "-o", f"one_{frame}.exr",
+                         "--samples", "8")
+            self.assert_same(f"all_{frame}.exr", f"one_{frame}.exr")
+        self.assertNotEqual(without_seconds(self.folder / "all_009.exr"),
+                            without_seconds(self.folder / "all_010.exr"))
+
+    def test_time_is_that_of_the_scene(self):
+        self.write("tell.lua", "print(frame, time)\n" + (self.folder / "scene.lua").read_text())
+        for options, told in (((), "1\t0\n"), (("--frame", "1"), "1\t0\n"),
+                              (("--frame", "25"), "25\t1\n"),
+                              (("--frame", "26", "--fps", "50"), "26\t0.5")):
+            done = self.succeed("render", "tell.lua", "--samples", "1", "-o", "a.png", *options)
+            self.assertIn(told, done.stderr)
+
+    def test_that_are_there_are_skipped_on_resume(self):
+        for extension in ("png", "exr"):
+            self.frames("1-2", f"a_#.{extension}")
+            before = {p: p.read_bytes() for p in self.folder.glob(f"a_*.{extension}")}
+            done = self.frames("1-3", f"a_#.{extension}", "--resume")
+            self.assertIn(f"a_3.{extension}: ", done.stderr)
+            for picture, content in before.items():
+                if extension == "png":
+                    self.assertEqual(picture.read_bytes(), content)
+            self.frames("3", f"b_#.{extension}")
+            if extension == "exr":
+                self.assert_same("a_3.exr", "b_3.exr")
+        self.assertIn("a_1.png: there already", self.frames("1", "a_#.png", "--resume").stderr)
+
+    def test_of_another_scene_are_refused_where_the_picture_tells(self):
+        self.frames("1-2", "a_#.exr")
+        message = self.refuse(5, "render", "scene.lua", "--frames", "1-2", "-o", "a_#.exr",
+                              "--samples", "8", "--resume", "--fps", "50")
+        self.assertIn("--fps", message)
+        self.assertIn("--frame: 1, now 2",
+                      self.refuse(5, "render", "scene.lua", "--frame", "2", "-o", "a_1.exr",
+                                  "--samples", "8", "--resume"))
+
+    def test_after_an_interruption_go_on(self):
+        program = self.start("render", "scene.lua", "--frames", "1-3", "-o", "a_#.png",
+                             "--progress", "json", "--samples", "16000000")
+        self.addCleanup(program.kill)
+        self.wait_for_block(program)
+        program.send_signal(signal.SIGINT)
+        program.communicate(timeout=60)
+        self.assertEqual(program.returncode, 4)
+        self.assertEqual(sorted(p.name for p in self.folder.glob("a_*")),
+                         ["a_1.checkpoint.exr", "a_1.png"])
+        self.succeed("render", "scene.lua", "--frames", "1-3", "-o", "a_#.png", "--resume",
+                     "--samples", "4")
+        self.assertEqual(sorted(p.name for p in self.folder.glob("a_*")),
+                         ["a_1.png", "a_2.png", "a_3.png"])
+
+    def test_an_error_says_in_which_frame(self):
+        self.write("bad.lua", "if frame == 2 then error('no way') end\n"
+                   + (self.folder / "scene.lua").read_text())
+        done = self.run_program("render", "bad.lua", "--frames", "1-3", "-o", "a_#.png",
+                                "--samples", "1")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("frame 2: ", done.stderr)
+        self.assertTrue((self.folder / "a_1.png").exists())
+
+
+class Preview(LongRenderTest):
+    def test_is_there_while_rendering_and_at_the_end(self):
+        program = self.start("render", "scene.lua", "-o", "a.png", "--preview", "p.png",
+                             "--progress", "json", "--samples", "16000000")
+        self.addCleanup(program.kill)
+        self.wait_for_block(program)
+        self.assertTrue((self.folder / "p.png").exists())
+        program.send_signal(signal.SIGINT)
+        program.communicate(timeout=60)
+        self.assertIn("\nrelmse 0", "\n" + self.succeed("compare", "p.png", "a.png").stdout)
+
+    def test_nowhere_to_write_it_is_told_before_the_work(self):
+        self.refuse(3, "render", "scene.lua", "-o", "a.png", "--preview", "none/p.png")
+        self.refuse(3, "render", "scene.lua", "-o", "a.png", "--preview", "p.txt")
 
 
 if __name__ == "__main__":

@@ -88,6 +88,11 @@ class ProgramTest(unittest.TestCase):
         return subprocess.Popen([LAPIDARY, *arguments], cwd=self.folder, stdin=subprocess.DEVNULL,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
+    def wait_for_block(self, program):
+        """Until a render that shows its progress as JSON has done another block."""
+        while '"progress"' not in (line := program.stderr.readline()):
+            self.assertTrue(line, "it ended before")
+
     def run_program(self, *arguments):
         return subprocess.run([LAPIDARY, *arguments], cwd=self.folder, stdin=subprocess.DEVNULL,
                               capture_output=True, text=True, timeout=120, check=False)
@@ -236,11 +241,27 @@ class Render(ProgramTest):
 
     def test_progress_as_json(self):
         self.write("ball.lua", BALL)
-        done = self.succeed("render", "ball.lua", "--progress", "json", "--samples", "32")
-        states = [json.loads(line) for line in done.stderr.splitlines() if line.startswith("{")]
+        self.write("talks.lua", "print('words')\n" + BALL)
+        done = self.succeed("render", "talks.lua", "--progress", "json", "--samples", "32")
+        events = [json.loads(line) for line in done.stderr.splitlines()]
+        states = [event for event in events if event["event"] == "progress"]
         self.assertGreater(len(states), 1)
         self.assertEqual(states[-1]["samples_per_pixel"], 32)
         self.assertEqual(states[-1]["fraction"], 1)
+        self.assertEqual([e["phase"] for e in events if e["event"] == "phase"],
+                         ["load", "build", "photons", "render", "write"])
+        self.assertIn({"event": "note", "text": "words"}, events)
+        self.assertEqual(events[-1]["event"], "picture")
+        self.assertEqual(events[-1]["file"], "talks.png")
+
+    def test_errors_as_json(self):
+        self.write("bad.lua", "return scene { objects = { sphere { radius = -1 } } }")
+        done = self.run_program("render", "bad.lua", "--progress", "json")
+        self.assertEqual(done.returncode, 3)
+        error = json.loads(done.stderr.splitlines()[-1])
+        self.assertEqual((error["event"], error["file"], error["line"], error["parameter"]),
+                         ("error", "bad.lua", 1, "radius"))
+        self.assertIn("text", error)
 
     def test_stops_by_the_clock_even_if_the_scene_says_samples(self):
         self.write("ball.lua", BALL)
@@ -719,11 +740,12 @@ class Interrupt(ProgramTest):
         program = self.start("render", "ball.lua", "--samples", "16000000", "--progress", "json",
                              "--stats", "s.json", "--threads", "2")
         self.addCleanup(program.kill)
-        program.stderr.readline()  # the first block is done
+        self.wait_for_block(program)
         program.send_signal(signal.SIGINT)
         errors = program.communicate(timeout=60)[1]
         self.assertEqual(program.returncode, 4)
-        self.assertTrue(errors.endswith(", interrupted\n"), errors)
+        event = json.loads(errors.splitlines()[-1])
+        self.assertEqual((event["event"], event["ended"]), ("picture", "interrupted"))
         self.assertEqual(png_size(self.folder / "ball.png"), (24, 16))
         stats = json.loads((self.folder / "s.json").read_text())
         self.assertEqual(stats["ended"], "interrupted")
@@ -735,7 +757,7 @@ class Interrupt(ProgramTest):
         program = self.start("render", "ball.lua", "--samples", "16000000", "--size", "400x300",
                              "--progress", "json")
         self.addCleanup(program.kill)
-        program.stderr.readline()
+        self.wait_for_block(program)
         program.send_signal(signal.SIGINT)
         time.sleep(0.02)
         program.send_signal(signal.SIGINT)
@@ -746,7 +768,7 @@ class Interrupt(ProgramTest):
         self.write("ball.lua", BALL)
         program = self.start("render", "ball.lua", "--samples", "16000000", "--progress", "json")
         self.addCleanup(program.kill)
-        program.stderr.readline()
+        self.wait_for_block(program)
         program.send_signal(signal.SIGTERM)
         program.communicate(timeout=60)
         self.assertEqual(sorted(os.listdir(self.folder)),

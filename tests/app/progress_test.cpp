@@ -15,7 +15,9 @@ const ProgressState half_way = {.fraction = 0.5,
                                 .seconds = 10,
                                 .samples_per_second = 1.25e6,
                                 .seconds_left = 10,
-                                .noise = 0.0314};
+                                .noise = 0.0314,
+                                .photons = 12'345'678,
+                                .frame = 17};
 
 TEST(Progress, DurationsReadWell) {
   EXPECT_EQ(format_duration(0), "0.0 s");
@@ -34,10 +36,10 @@ TEST(Progress, BarFitsAnyWidth) {
 }
 
 TEST(Progress, BarShowsEverythingWhereThereIsRoom) {
-  const std::string line = bar_line(half_way, 120);
+  const std::string line = bar_line(half_way, 150);
   EXPECT_THAT(line, HasSubstr("####...."));
-  for (const char* fact :
-       {"50 %", "10 s left", "noise 0.0314", "32 samples per pixel", "1.25 M samples/s"}) {
+  for (const char* fact : {"frame 17", "50 %", "10 s left", "noise 0.0314", "32 samples per pixel",
+                           "1.25 M samples/s", "12.3 M photons"}) {
     EXPECT_THAT(line, HasSubstr(fact));
   }
 }
@@ -46,10 +48,16 @@ TEST(Progress, WhatIsUnknownIsLeftOut) {
   ProgressState state = half_way;
   state.noise.reset();
   state.seconds_left.reset();
-  EXPECT_THAT(plain_line(state), Not(HasSubstr("noise")));
+  state.photons = 0;
+  state.frame.reset();
+  for (const char* fact : {"noise", "left", "photons", "frame"}) {
+    EXPECT_THAT(plain_line(state), Not(HasSubstr(fact)));
+  }
   const auto object = nlohmann::json::parse(json_line(state));
   EXPECT_FALSE(object.contains("noise"));
   EXPECT_FALSE(object.contains("seconds_left"));
+  EXPECT_FALSE(object.contains("photons"));
+  EXPECT_FALSE(object.contains("frame"));
   EXPECT_EQ(object.at("fraction"), 0.5);
   EXPECT_EQ(object.at("samples_per_pixel"), 32);
 }

@@ -136,5 +136,71 @@ TEST(TriangleScene, EmptyIsNeverHit) {
   EXPECT_FALSE(TriangleScene().occluded({{0, 0, 0}, {1, 0, 0}}, infinity));
 }
 
+/// The same hits, bit by bit, at any time of the frame.
+void expect_same_hits(const TriangleScene& a, const TriangleScene& b) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> moment(0, 1);
+  for (int i = 0; i < 400; ++i) {
+    const Vec3d from = random_unit(random) * 12.0;
+    const Line line{from, random_unit(random) * 3.0 - from};
+    const double time = moment(random);
+    TriangleHit in_a, in_b;
+    ASSERT_EQ(a.nearest(line, infinity, in_a, time), b.nearest(line, infinity, in_b, time));
+    EXPECT_EQ(in_a.t, in_b.t);
+    EXPECT_EQ(in_a.placement, in_b.placement);
+    EXPECT_EQ(in_a.triangle, in_b.triangle);
+    EXPECT_EQ(a.occluded(line, 1.0, time), b.occluded(line, 1.0, time));
+  }
+}
+
+TEST(TriangleScene, WhatStaysTheSameIsSharedWithTheSceneBefore) {
+  ThreadPool pool(1);
+  const auto mesh = small_blob(), other = std::make_shared<const TriangleMesh>(bench::blob(20, 11));
+  const auto moving = [](Vec3d travel) {
+    auto motion = std::make_shared<MovingTransform>(Transform::translation({0, 3, 0}));
+    motion->append(Motion{.travel = travel});
+    return motion;
+  };
+  const auto at = [](double x) { return Transform::translation({x, 0, 0}); };
+  // Flat, placed twice, and moving; then each of these in another place, alone and together.
+  const auto placements = [&](double flat, double instance, double travel) {
+    return std::vector<MeshPlacement>{{other, at(flat)},
+                                      {mesh, at(-2)},
+                                      {mesh, at(instance)},
+                                      {mesh, at(0), moving({travel, 0, 0})}};
+  };
+  const TriangleScene first(placements(0, 2, 1), pool);
+  EXPECT_EQ(TriangleScene(placements(0, 2, 1), pool, &first).native_scene(), first.native_scene());
+  const double changes[][3] = {{0.5, 2, 1}, {0, 3, 1}, {0, 2, -1}, {0.5, 3, -1}};
+  for (const auto& [flat, instance, travel] : changes) {
+    const TriangleScene after(placements(flat, instance, travel), pool, &first);
+    EXPECT_NE(after.native_scene(), first.native_scene());
+    expect_same_hits(after, TriangleScene(placements(flat, instance, travel), pool));
+  }
+}
+
+TEST(TriangleScene, OutlivesTheSceneBefore) {
+  ThreadPool pool(1);
+  const auto twice = [](const std::shared_ptr<const TriangleMesh>& mesh, double x) {
+    return std::vector<MeshPlacement>{{mesh, {}}, {mesh, Transform::translation({x, 0, 0})}};
+  };
+  TriangleScene scene(twice(small_blob(), 1), pool);
+  for (int frame = 2; frame < 6; ++frame) {
+    // A mesh of the same content, as a scene that makes it of lists makes it for each frame.
+    scene = TriangleScene(twice(small_blob(), frame), pool, &scene);
+  }
+  expect_same_hits(scene, TriangleScene(twice(small_blob(), 5), pool));
+}
+
+TEST(TriangleScene, AnotherShapeIsNotTheSame) {
+  ThreadPool pool(1);
+  auto changed = bench::blob(60, 31);
+  changed.positions[100].z += 0.5f;
+  const auto mesh = std::make_shared<const TriangleMesh>(std::move(changed));
+  const TriangleScene before({{small_blob(), {}}, {small_blob(), {}}}, pool);
+  const TriangleScene after({{mesh, {}}, {mesh, {}}}, pool, &before);
+  expect_same_hits(after, TriangleScene({{mesh, {}}, {mesh, {}}}, pool));
+}
+
 }  // namespace
 }  // namespace lapidary::geometry

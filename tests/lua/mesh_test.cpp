@@ -98,5 +98,43 @@ TEST_F(MeshNode, CannotSmuggleFilesThroughItsMaterials) {
   EXPECT_FALSE(log.take().empty());
 }
 
+TEST_F(MeshNode, IsReadOnceForAllScenesThatFollowEachOther) {
+  import::SceneFiles kept;
+  options_.kept = &kept;
+  const auto triangles_of = [&](std::string_view text) {
+    return mesh_of(load(text).scene.objects[0]).triangles;
+  };
+  const auto first = triangles_of("return { mesh 'tri.obj' }");
+  write("scene/tri.obj", "no mesh any more");
+  EXPECT_EQ(triangles_of("return { mesh 'tri.obj':translate(1, 0, 0) }"), first);
+  // What one scene does not read the next one reads anew.
+  load("return { sphere {} }");
+  EXPECT_EQ(triangles_of("return { mesh { vertices = {{0,0,0}, {1,0,0}, {0,1,0}}, faces = "
+                         "{{1,2,3}} } }")
+                ->triangles.size(),
+            1u);
+  EXPECT_THAT(error_of("return { mesh 'tri.obj' }"), HasSubstr("tri.obj"));
+}
+
+TEST_F(MeshNode, IsNotedForEachSceneThatUsesIt) {
+  import::SceneFiles kept;
+  options_.kept = &kept;
+  std::vector<std::vector<FileRecord>> noted;
+  for (const char* text : {"return { mesh 'tri.obj' }", "return { mesh 'tri.obj' }", "return {}"}) {
+    InputFiles files;
+    options_.files = &files;
+    load(text);
+    noted.push_back(files.relative_to(folder_ / "scene"));
+  }
+  const auto names = [](const std::vector<FileRecord>& records) {
+    std::vector<std::string> all;
+    for (const FileRecord& record : records) all.push_back(record.name);
+    return all;
+  };
+  EXPECT_THAT(names(noted[0]), ElementsAre("main.lua", "tri.mtl", "tri.obj"));
+  EXPECT_EQ(noted[1], noted[0]);
+  EXPECT_THAT(names(noted[2]), ElementsAre("main.lua"));
+}
+
 }  // namespace
 }  // namespace lapidary::lua
