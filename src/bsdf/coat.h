@@ -30,6 +30,7 @@ class Coat {
   /// A direction off the coat, which may point below the surface, or the specular reflection.
   std::optional<BsdfSample> sample(Vec3d wo, Vec2d u) const;
   bool specular() const { return look_.alpha == 0.0; }
+  double roughness() const { return look_.alpha; }  ///< alpha of its facets
 
   /// Share of light that it reflects, without the tint; v.z in [0, 1].
   double albedo(Vec3d v) const {

@@ -15,20 +15,17 @@ double in_row(const CoatAlbedoRow& row, TablePlace place) {
 CoatAlbedo::CoatAlbedo(const Grain& grain, double eta)
     : alpha_(grain.alpha),
       eta_(eta),
-      index_(table_place(coat_index_coordinate(eta),
-                         grain.is_even() ? coat_albedo_indices : coat_grain_indices)),
+      index_(table_place(coat_index_coordinate(eta), coat_albedo_indices)),
       roughness_(table_place(roughness_coordinate(alpha_), coat_albedo_size)),
-      grain_(grain) {
-  const auto by_index = [&](const auto& at) {
-    return between(at(index_.index), at(index_.index + 1), index_.fraction);
-  };
-  average_ = grain_.is_even()
-                 ? by_index([&](std::size_t i) {
-                     return in_row(coat_average_albedo_table[i], roughness_);
-                   })
-                 : grain_unit * by_index([&](std::size_t i) {
-                     return interpolated(coat_average_grain_table[i], grain_.of_facets().data());
-                   });
+      is_even_(grain.is_even()) {
+  if (is_even_) {
+    average_ =
+        between(in_row(coat_average_albedo_table[index_.index], roughness_),
+                in_row(coat_average_albedo_table[index_.index + 1], roughness_), index_.fraction);
+  } else {
+    grained_ = GrainAlbedo(GrainAlbedo::Part::reflected_by_coat, grain, eta);
+    average_ = grained_.average();
+  }
 }
 
 double CoatAlbedo::at(double mu) const {
@@ -42,15 +39,6 @@ double CoatAlbedo::at(double mu) const {
   const double ratio = between(by_roughness(coat_albedo_table[index_.index]),
                                by_roughness(coat_albedo_table[index_.index + 1]), index_.fraction);
   return std::min(smooth * ratio, 1.0);
-}
-
-double CoatAlbedo::grained(const Ggx& facets, Vec3d v) const {
-  const auto at = grain_.of(facets, v);
-  const double ratio =
-      grain_unit * between(interpolated(coat_grain_table[index_.index], at.data()),
-                           interpolated(coat_grain_table[index_.index + 1], at.data()),
-                           index_.fraction);
-  return std::min(refract(v.z, eta_).reflectance * ratio, 1.0);
 }
 
 }  // namespace lapidary::bsdf

@@ -4,15 +4,15 @@
 #include <cstddef>
 
 #include "bsdf/fresnel.h"
-#include "bsdf/grain_lookup.h"
+#include "bsdf/grain_albedo.h"
+#include "bsdf/table_lookup.h"
 
 namespace lapidary::bsdf {
 
 /// Directional albedo of one reflection by the GGX facets of a dielectric, seen from outside: the
 /// share of light from direction mu that comes back. The rest enters.
 /// Accuracy: 0.003, and 0.006 for mu < 0.1, by linear interpolation in a table made by
-/// tools/coat_albedo.cpp; a smooth surface's is exact. With a grain 0.01, and 0.02 for mu < 0.1, in
-/// one by tools/grain_albedo.cpp.
+/// tools/coat_albedo.cpp; a smooth surface's is exact. With a grain that of grain_albedo.h.
 class CoatAlbedo {
  public:
   /// An alpha of 0 is a smooth surface; `eta` >= 1 is the index inside over that outside. Beyond 3
@@ -23,18 +23,17 @@ class CoatAlbedo {
   double at(double mu) const;
   /// `facets` are those of the grain; v.z in [0, 1].
   double at(const Ggx& facets, Vec3d v) const {
-    return grain_.is_even() ? at(v.z) : grained(facets, v);
+    return is_even_ ? at(v.z) : refract(v.z, eta_).reflectance * grained_.at(facets, v);
   }
   /// 1/pi times the integral of at(v) v.z over the half sphere.
   double average() const { return average_; }
 
  private:
-  double grained(const Ggx& facets, Vec3d v) const;
-
   double alpha_, eta_;
   TablePlace index_, roughness_;
   double average_;
-  GrainCoordinates grain_;
+  bool is_even_;
+  GrainAlbedo grained_;
 };
 
 /// From 0 for eta = 1 to 1 for eta = 3, closest around eta = 1.
@@ -51,9 +50,5 @@ extern const std::array<std::array<CoatAlbedoRow, coat_albedo_size>, coat_albedo
     coat_albedo_table;
 /// Averages of the albedo itself, by index and roughness.
 extern const std::array<CoatAlbedoRow, coat_albedo_indices> coat_average_albedo_table;
-/// The same ratios, and averages, with a grain.
-inline constexpr std::size_t coat_grain_indices = 7;
-extern const std::array<GrainTable<8, 6, 6, 10>, coat_grain_indices> coat_grain_table;
-extern const std::array<GrainAverages<8, 6>, coat_grain_indices> coat_average_grain_table;
 
 }  // namespace lapidary::bsdf

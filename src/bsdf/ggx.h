@@ -58,14 +58,15 @@ struct Ggx {
   /// A facet normal as `wo` sees it, with density `visible_density`.
   /// Source: Dupuy & Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps".
   Vec3d sample_visible(Vec3d wo, Vec2d u) const {
-    const Vec3d stretched = normalize(stretch(wo));
+    const Stretch a = stretch();
+    const Vec3d stretched = normalize(a.of(wo));
     // A uniform point of the cap of directions that mirror `stretched` off a hemisphere of normals;
     // half way is that normal. Its z is never 0, where the half vector could vanish.
     const DiskPoint disk = concentric_disk(u);
     const double span = 1.0 + std::min(stretched.z, 1.0);
     const double z = span * std::max(1.0 - disk.radius_squared, 0x1p-64);
     const double aside = std::sqrt(span * (2.0 - span + z));
-    return normalize(stretch(
+    return normalize(a.of(
         Vec3d(stretched.x + aside * disk.position.x, stretched.y + aside * disk.position.y, z)));
   }
 
@@ -82,13 +83,16 @@ struct Ggx {
     return 2.0 * density(h) * dot(wo, h) / (wo.z + slant(wo));
   }
 
- private:
-  /// A v, with the root of S as that of any matrix of determinant 1: (S + 1) / sqrt(tr S + 2).
-  Vec3d stretch(Vec3d v) const {
-    if (is_even) return {alpha * v.x, alpha * v.y, v.z};
+  /// A, as what it makes of directions.
+  struct Stretch {
+    double xx, xy, yy;
+    Vec3d of(Vec3d v) const { return {xx * v.x + xy * v.y, xy * v.x + yy * v.y, v.z}; }
+  };
+  /// With the root of S as that of any matrix of determinant 1: (S + 1) / sqrt(tr S + 2).
+  Stretch stretch() const {
+    if (is_even) return {alpha, 0.0, alpha};
     const double scale = alpha / std::sqrt(s_xx + s_yy + 2.0);
-    return {scale * ((s_xx + 1.0) * v.x + s_xy * v.y), scale * (s_xy * v.x + (s_yy + 1.0) * v.y),
-            v.z};
+    return {scale * (s_xx + 1.0), scale * s_xy, scale * (s_yy + 1.0)};
   }
 };
 

@@ -14,17 +14,15 @@ GlassAlbedo::GlassAlbedo(const Grain& grain, double eta)
     : alpha_(grain.alpha),
       index_(table_place(index_coordinate(eta), glass_albedo_indices)),
       roughness_(table_place(roughness_coordinate(alpha_), glass_albedo_size)),
-      grain_(grain) {
-  const auto by_index = [&](const auto& at) {
-    return between(at(index_.index), at(index_.index + 1), index_.fraction);
-  };
-  average_ = grain_.is_even()
-                 ? by_index([&](std::size_t i) {
-                     return in_row(glass_average_albedo_table[i], roughness_);
-                   })
-                 : grain_unit * by_index([&](std::size_t i) {
-                     return interpolated(glass_average_grain_table[i], grain_.of_facets().data());
-                   });
+      is_even_(grain.is_even()) {
+  if (is_even_) {
+    average_ =
+        between(in_row(glass_average_albedo_table[index_.index], roughness_),
+                in_row(glass_average_albedo_table[index_.index + 1], roughness_), index_.fraction);
+  } else {
+    grained_ = GrainAlbedo(GrainAlbedo::Part::lost_by_glass, grain, eta);
+    average_ = 1.0 - grained_.average();
+  }
 }
 
 double GlassAlbedo::at(double mu) const {
@@ -35,13 +33,6 @@ double GlassAlbedo::at(double mu) const {
   };
   return between(by_roughness(glass_albedo_table[index_.index]),
                  by_roughness(glass_albedo_table[index_.index + 1]), index_.fraction);
-}
-
-double GlassAlbedo::grained(const Ggx& facets, Vec3d v) const {
-  const auto at = grain_.of(facets, v);
-  return grain_unit * between(interpolated(glass_grain_table[index_.index], at.data()),
-                              interpolated(glass_grain_table[index_.index + 1], at.data()),
-                              index_.fraction);
 }
 
 }  // namespace lapidary::bsdf

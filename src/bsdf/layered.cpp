@@ -25,6 +25,8 @@ double let_through(const Layer& layer, double mu) {
 
 Layered::Layered(const Layer& layer, NestedPtr base)
     : layer_(layer), base_(std::move(base)), base_traits_(traits_of(base_->bsdf)) {
+  const auto* layered = std::get_if<Layered>(&base_->bsdf);
+  ground_spread_ = layered != nullptr ? layered->ground_spread_ : base_traits_.spread;
   const auto* metal = std::get_if<Conductor>(&base_->bsdf);
   if (metal == nullptr) return;
   of(layer_, [&](const auto& kind) {
@@ -37,7 +39,13 @@ double Layered::albedo(Vec3d v) const {
   return of(layer_, [v](const auto& layer) { return layer.albedo(v); });
 }
 
-double Layered::white_passage(Vec3d wo, Vec3d wi, const Through& through) const {
+// Fibres forget where light came from, a coat as far as it is rough.
+double Layered::own_spread() const {
+  const auto* coat = std::get_if<Coat>(&layer_);
+  return coat != nullptr ? coat->roughness() : 1.0;
+}
+
+double Layered::white_passage(Vec3d wo, Vec3d wi, const Through& through, double spread) const {
   const double both = through.to * through.ti;
   if (glossy_) {
     return of(layer_, [&](const auto& layer) {
@@ -47,17 +55,15 @@ double Layered::white_passage(Vec3d wo, Vec3d wi, const Through& through) const 
     });
   }
   const double average = of(layer_, [](const auto& layer) { return layer.average_albedo(); });
-  const double kept = std::lerp(std::max(through.to, through.ti), 1.0 - average, through.spread);
+  const double kept = std::lerp(std::max(through.to, through.ti), 1.0 - average, spread);
   return kept > 0.0 ? both / kept : 0.0;
 }
 
 // Of light that the base gives back, the share r comes down again: the bounces sum to
 // (1 - r) / (1 - r rho), relative to a white base.
-SampledSpectrum Layered::passage(Vec3d wo, Vec3d wi) const {
+SampledSpectrum Layered::passage(Vec3d wo, Vec3d wi, const Through& through, double spread) const {
   return of(layer_, [&](const auto& layer) {
-    const double spread = spread_below(wi.z < wo.z ? wi : wo);
-    const Through through{1.0 - albedo(wo), 1.0 - albedo(wi), spread};
-    SampledSpectrum left(static_cast<float>(white_passage(wo, wi, through)));
+    SampledSpectrum left(static_cast<float>(white_passage(wo, wi, through, spread)));
     if (wo.z > 0.0) left *= layer.one_way(std::min(wo.z, 1.0));
     if (wi.z > 0.0) left *= layer.one_way(std::min(wi.z, 1.0));
     if (base_traits_.transparent) return left;
@@ -69,17 +75,6 @@ SampledSpectrum Layered::passage(Vec3d wo, Vec3d wi) const {
     const SampledSpectrum one(1.0f), once = layer.one_way(1.0);
     return left * (1.0f - r) / (one - base_traits_.albedo * once * once * r);
   });
-}
-
-double Layered::spread_below(Vec3d v) const {
-  const auto* layered = std::get_if<Layered>(&base_->bsdf);
-  return layered != nullptr ? layered->spread(v) : base_traits_.spread;
-}
-
-// Fibres forget where light came from, a coat does not.
-double Layered::spread(Vec3d v) const {
-  const double own = std::holds_alternative<Fuzz>(layer_) ? 1.0 : 0.0;
-  return std::lerp(spread_below(v), own, albedo(v));
 }
 
 double Layered::chance_of_layer(Vec3d wo) const {
@@ -95,19 +90,38 @@ double Layered::chance_of_layer(Vec3d wo) const {
   return base > 0.0 ? std::max(chance, least) : 1.0;
 }
 
-BsdfValue Layered::evaluate_with_pdf(Vec3d wo, Vec3d wi, Mode mode) const {
+Layered::Parts Layered::parts_below(Vec3d wo, Vec3d wi, Mode mode) const {
+  if (const auto* layered = std::get_if<Layered>(&base_->bsdf)) return layered->parts(wo, wi, mode);
+  const BsdfValue value = bsdf::evaluate_with_pdf(base_->bsdf, wo, wi, mode);
+  return {{}, {}, value.f_cos, value.pdf};
+}
+
+Layered::Parts Layered::parts(Vec3d wo, Vec3d wi, Mode mode) const {
   const bool outside = wo.z > 0.0 && wi.z > 0.0;
   if (!outside && !base_traits_.transparent) return {};
   const double chance = chance_of_layer(wo);
-  BsdfValue value = bsdf::evaluate_with_pdf(base_->bsdf, wo, wi, mode);
-  value.pdf *= 1.0 - chance;
-  if (!value.f_cos.is_zero()) value.f_cos *= passage(wo, wi);
+  Parts parts = parts_below(wo, wi, mode);
+  parts.pdf *= 1.0 - chance;
+  const Through both = through(wo, wi);
+  const auto pass = [&](SampledSpectrum& part, double spread) {
+    if (!part.is_zero()) part *= passage(wo, wi, both, spread);
+  };
+  pass(parts.mirrored, 0.0);
+  pass(parts.spread, 1.0);
+  pass(parts.ground, ground_spread_);
   if (outside) {
     const BsdfValue layer = of(layer_, [&](const auto& l) { return l.evaluate_with_pdf(wo, wi); });
-    value.f_cos += layer.f_cos;
-    value.pdf += chance * layer.pdf;
+    const SampledSpectrum spread = layer.f_cos * static_cast<float>(own_spread());
+    parts.mirrored += layer.f_cos - spread;
+    parts.spread += spread;
+    parts.pdf += chance * layer.pdf;
   }
-  return value;
+  return parts;
+}
+
+BsdfValue Layered::evaluate_with_pdf(Vec3d wo, Vec3d wi, Mode mode) const {
+  const Parts all = parts(wo, wi, mode);
+  return {all.mirrored + all.spread + all.ground, all.pdf};
 }
 
 std::optional<BsdfSample> Layered::sample(Vec3d wo, double u_lobe, Vec2d u, Mode mode) const {
@@ -118,7 +132,10 @@ std::optional<BsdfSample> Layered::sample(Vec3d wo, double u_lobe, Vec2d u, Mode
                          : bsdf::sample(base_->bsdf, wo, rescaled(u_lobe, chance, 1.0), u, mode);
   if (!sample) return {};
   if (sample->lobe == Lobe::specular) {
-    if (!on_layer) sample->weight *= passage(wo, sample->wi);
+    // Of layers only smooth ones have specular lobes.
+    const bool on_layers = std::holds_alternative<Layered>(base_->bsdf);
+    const double spread = on_layers ? 0.0 : base_traits_.spread;
+    if (!on_layer) sample->weight *= passage(wo, sample->wi, through(wo, sample->wi), spread);
     sample->weight *= static_cast<float>(1.0 / (on_layer ? chance : 1.0 - chance));
     return sample;
   }
@@ -140,8 +157,8 @@ Traits Layered::traits() const {
     const SampledSpectrum one(1.0f), once = layer.one_way(1.0);
     const SampledSpectrum rho = base_traits_.albedo * once * once;
     const SampledSpectrum base = rho * (1.0f - e) * (1.0f - r) / (one - rho * r);
-    const Vec3d aslant(std::sqrt(0.375), std::sqrt(0.375), 0.5);
-    return Traits{layer.tint() * e + base, spread(aslant), is_specular(), base_traits_.transparent};
+    const double spread = std::lerp(base_traits_.spread, own_spread(), layer.average_albedo());
+    return Traits{layer.tint() * e + base, spread, is_specular(), base_traits_.transparent};
   });
 }
 

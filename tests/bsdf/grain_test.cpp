@@ -24,7 +24,8 @@ Vec3d into_axes(Vec3d v, double angle) {
 }
 
 // The share of white light that comes back, over an additive lattice.
-double albedo(const Bsdf& bsdf, Vec3d wo, int samples = 10000) {
+double albedo(const Bsdf& bsdf, Vec3d wo) {
+  constexpr int samples = 10000;
   const auto coordinate = [](int i, double step) { return std::fmod(0.5 + i * step, 1.0); };
   double sum = 0.0;
   for (int i = 0; i < samples; ++i) {
@@ -107,7 +108,7 @@ TEST(Grain, TurnsWithItsRotation) {
   }
 }
 
-// Both know the same: tables of their own for facets with a grain, and those of even ones.
+// Facets with a grain and even ones have tables of their own, which say the same.
 TEST(Grain, ThatIsAlmostNoneIsEven) {
   double metal = 0.0, coat = 0.0, glass = 0.0;
   Random random(13);
@@ -139,31 +140,31 @@ TEST(Grain, LosesNothingOfAWhiteFurnace) {
     for (const double azimuth : {0.0, 0.5, 1.2, pi / 2}) {
       for (const double view : {1.0, 0.7, 0.3, 0.1}) {
         const Vec3d wo = direction(view, azimuth + grain.rotation);
-        EXPECT_NEAR(albedo(metal, wo), 1.0, 0.012) << name_of(grain) << " from " << view;
-        EXPECT_NEAR(albedo(varnish, wo), 1.0, 0.012) << name_of(grain) << " from " << view;
+        EXPECT_NEAR(albedo(metal, wo), 1.0, 0.01) << name_of(grain) << " from " << view;
+        EXPECT_NEAR(albedo(varnish, wo), 1.0, 0.01) << name_of(grain) << " from " << view;
       }
     }
   }
 }
 
-TEST(Grain, OfGlassLosesLittleOfAWhiteFurnace) {
+// Of the worst a good part is the lattice's own error.
+TEST(Grain, OfGlassLosesNothingOfAWhiteFurnace) {
   double worst = 0.0, sum = 0.0;
   int tests = 0;
   for (const Grain& grain : grains) {
-    for (const double n : {1.33, 1.5, 2.2}) {
+    for (const double n : {1.33, 2.2}) {
       const Bsdf glass = test::glass(n, grain);
       for (const double azimuth : {0.2, 1.0, pi / 2}) {
         for (const double view : {1.0, 0.5, 0.1, -0.1, -0.5, -0.9}) {
-          const double error =
-              albedo(glass, direction(view, azimuth + grain.rotation), 10000) - 1.0;
+          const double error = albedo(glass, direction(view, azimuth + grain.rotation)) - 1.0;
           worst = std::max(worst, std::abs(error));
           sum += std::abs(error), ++tests;
         }
       }
     }
   }
-  EXPECT_LT(worst, 0.04);
-  EXPECT_LT(sum / tests, 0.005);
+  EXPECT_LT(worst, 0.015);
+  EXPECT_LT(sum / tests, 0.003);
 }
 
 // A lobe counts by its solid angle: a line as thin as a hair and as long as half the sky is narrow.

@@ -32,6 +32,14 @@ TEST_F(ImageNode, NamesThePlaceOfWhatIsWrong) {
               testing::AllOf(HasSubstr("main.lua:2: "), HasSubstr("empty.png is empty")));
   EXPECT_THAT(error_of("local t = image 'text.png' return {}"),
               HasSubstr("text.png is not a picture in a known format (PNG, JPEG"));
+  write("scene/giant.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2000000000 +X 2000000000\n");
+  EXPECT_THAT(error_of("local t = image 'giant.hdr' return {}"),
+              testing::AllOf(HasSubstr("main.lua:1: "), HasSubstr("claims 2000000000 x 2")));
+  const auto wood = folder_ / "scene/wood.png";
+  std::filesystem::resize_file(wood, std::filesystem::file_size(wood) / 2);
+  EXPECT_THAT(error_of("local t = image 'wood.png' return {}"),
+              testing::AllOf(HasSubstr("main.lua:1: "), HasSubstr("wood.png is a broken PNG file"),
+                             HasSubstr("ends early")));
   EXPECT_THAT(error_of("local t = image 'woof.png' return {}"),
               HasSubstr("file of image names a file that does not exist: 'woof.png' (did you mean "
                         "'wood.png'?)"));

@@ -103,5 +103,12 @@ TEST_F(TextureValues, AreMadeOfAFiniteNumberOfOthers) {
               HasSubstr("a texture is made of more than 10000 others"));
 }
 
+TEST_F(TextureValues, CannotContainThemselves) {
+  EXPECT_THAT(error_with("checker {} result.colors = { result, result }"),
+              HasSubstr("main.lua:2: a checker cannot be changed"));
+  EXPECT_THAT(error_with("(function() local c = { 'red' } c[2] = c return checker(c) end)()"),
+              HasSubstr("nested too deeply (does it contain itself?)"));
+}
+
 }  // namespace
 }  // namespace lapidary::lua
