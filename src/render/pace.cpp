@@ -6,10 +6,7 @@
 namespace lapidary::render {
 
 Pace::Pace(const StopRules& rules, const Canvas& canvas)
-    : rules_(rules),
-      canvas_(canvas),
-      passes_before_(canvas.film().pass_count()),
-      noise_(canvas.film().noise()) {}
+    : rules_(rules), canvas_(canvas), passes_before_(canvas.film().pass_count()) {}
 
 std::optional<std::uint32_t> Pace::last_pass() const {
   return rules_.only ? rules_.only->end : rules_.samples;
@@ -31,7 +28,12 @@ void Pace::block_done(std::uint64_t samples, double block_seconds) {
   samples_ += samples;
   last_ = seconds();
   block_seconds_ = block_seconds;
-  noise_ = canvas_.picture().noise();
+  noise_.reset();
+}
+
+double Pace::noise() const {
+  if (!noise_) noise_ = canvas_.picture().noise();
+  return *noise_;
 }
 
 bool Pace::limit_is_met() const {
@@ -52,7 +54,7 @@ Progress Pace::progress() const {
   std::optional<std::uint32_t> planned = rules_.samples;
   if (rules_.only) planned = rules_.only->size();
   return {canvas_.picture().pass_count(),    planned, last_,
-          last_ > 0 ? samples / last_ : 0.0, noise_,  seconds_left()};
+          last_ > 0 ? samples / last_ : 0.0, noise(), seconds_left()};
 }
 
 double Pace::seconds() const {
@@ -69,8 +71,8 @@ std::optional<double> Pace::seconds_left() const {
   }
   if (rules_.seconds) consider(*rules_.seconds - last_);
   // The error of a mean falls with the square root of the number of samples.
-  if (rules_.noise && std::isfinite(noise_)) {
-    const double ratio = noise_ / *rules_.noise;
+  if (rules_.noise && std::isfinite(noise())) {
+    const double ratio = noise() / *rules_.noise;
     consider(per_pass * passes * (ratio * ratio - 1.0));
   }
   return left;

@@ -33,10 +33,11 @@ class Pace {
 
   Progress progress() const;
   double seconds() const;
-  double noise() const { return noise_; }
+  /// Of the picture so far. It is looked at only if somebody asks.
+  double noise() const;
 
  private:
-  bool is_fine() const { return rules_.noise && noise_ <= *rules_.noise; }
+  bool is_fine() const { return rules_.noise && noise() <= *rules_.noise; }
   std::optional<double> seconds_left() const;
 
   using Clock = std::chrono::steady_clock;
@@ -47,7 +48,7 @@ class Pace {
   Clock::time_point start_ = Clock::now();
   double last_ = 0;
   double block_seconds_ = 0;
-  double noise_;
+  mutable std::optional<double> noise_;  ///< once it is known
   std::uint64_t samples_ = 0;
 };
 
