@@ -41,6 +41,11 @@ image::WriteOptions write_options(const render::Canvas& canvas, const Outputs::F
 
 }  // namespace
 
+std::vector<std::string> outputs_of(const RenderCommand& command) {
+  if (!command.outputs.empty()) return command.outputs;
+  return {std::filesystem::path(command.scene.file).stem().string() + ".png"};
+}
+
 Outputs::Outputs(std::vector<std::string> pictures, Checkpoints checkpoints)
     : pictures_(std::move(pictures)) {
   if (checkpoints == Checkpoints::kept) checkpoint_ = checkpoint_file(pictures_);

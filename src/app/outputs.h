@@ -3,12 +3,16 @@
 #include <string>
 #include <vector>
 
+#include "app/command_line.h"
 #include "film/film.h"
 #include "image/image_io.h"
 #include "render/canvas.h"
 #include "render/origin.h"
 
 namespace lapidary::app {
+
+/// The pictures that a command is to write.
+std::vector<std::string> outputs_of(const RenderCommand& command);
 
 /// The files that a picture goes to. Its checkpoint is the second part of the first OpenEXR file
 /// among them, else NAME.checkpoint.exr beside the first.

@@ -1,6 +1,5 @@
-#include <chrono>
 #include <cmath>
-#include <filesystem>
+#include <memory>
 #include <optional>
 
 #include <fmt/core.h>
@@ -11,37 +10,19 @@
 #include "app/load_scene.h"
 #include "app/messages.h"
 #include "app/outputs.h"
+#include "app/phase_clock.h"
+#include "app/preparation.h"
 #include "app/progress.h"
+#include "app/ranks.h"
 #include "app/resume.h"
 #include "app/statistics.h"
+#include "distributed/master.h"
+#include "distributed/mpi_channel.h"
 #include "image/output_file.h"
-#include "inspect/averted_lights.h"
-#include "inspect/solid_warnings.h"
 #include "render/render.h"
-#include "scene/build.h"
 
 namespace lapidary::app {
 namespace {
-
-/// Measures phases that follow each other without a gap.
-class PhaseClock {
- public:
-  /// Seconds since the last call, or since the clock was made.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-std::vector<std::string> outputs_of(const RenderCommand& command) {
-  if (!command.outputs.empty()) return command.outputs;
-  return {std::filesystem::path(command.scene.file).stem().string() + ".png"};
-}
 
 ProgressState state_of(const render::Progress& progress) {
   ProgressState state;
@@ -62,29 +43,14 @@ void write_text(const std::string& path, const std::string& text) {
   file.commit();
 }
 
-/// What the user should know of caustics that are wanted and will not be there.
-void warn_about_caustics(transport::Caustics::State state, WarningLog& warnings) {
-  if (state != transport::Caustics::State::nothing_arrives) return;
-  warnings.add({},
-               "no photon that was sent through glass or off a mirror reached a surface that could "
-               "show it: what caustics there are is left to paths");
-}
-
-/// What the user should know of illumination maps that hold nothing.
-void warn_about_maps(const transport::IlluminationMaps* maps, WarningLog& warnings) {
-  using State = transport::IlluminationMaps::State;
-  // Of lights that send out nothing the scene has warned.
-  if (maps == nullptr || maps->state() != State::nothing_arrives) return;
-  warnings.add({},
-               "no photon fell on a surface that can hold an illumination map after it was "
-               "scattered: only direct light is seen");
-}
-
-/// What is rendered, and where to.
+/// What is rendered, with what and whom, and where to.
 struct Work {
   const render::BlockRenderer& renderer;
+  ThreadPool& pool;
+  distributed::Crew* crew;  ///< null: this process is alone
   render::StopRules rules;
   render::Canvas& canvas;
+  Checkpoints* checkpoints;  ///< may be null
 };
 
 /// Says where a render starts, if that is a question.
@@ -97,24 +63,50 @@ void print_start(const Start& start, const Outputs& outputs) {
   }
 }
 
-/// Renders under the eyes of the user, who may end it. Checkpoints may be null.
-render::Statistics render_watched(const RenderCommand& command, const Work& work,
-                                  Checkpoints* checkpoints, ThreadPool& pool) {
+render::Statistics render_alone(const Work& work, const render::Control& control) {
+  return render::render(work.renderer, work.rules, control, work.canvas, work.pool);
+}
+
+/// A launcher that is interrupted, or has lost a rank, leaves little time: the checkpoint comes
+/// first, and what else there is to do after it.
+render::Statistics render_together(const Work& work, const render::Control& control,
+                                   const Checkpoints::Warn& warn) {
+  const auto keep = [&] {
+    if (work.checkpoints == nullptr || work.canvas.film().passes().is_empty()) return;
+    if (!work.checkpoints->write(work.canvas, warn)) return;
+    fmt::print(stderr, "checkpoint of {} samples per pixel is written, --resume goes on with it\n",
+               work.canvas.film().pass_count());
+  };
+  try {
+    const render::Statistics statistics =
+        distributed::render(*work.crew, {work.renderer, work.canvas.film().settings(), work.pool},
+                            work.rules, control, work.canvas);
+    if (statistics.ending == render::Ending::interrupted) keep();
+    return statistics;
+  } catch (...) {
+    keep();
+    throw;
+  }
+}
+
+/// Renders under the eyes of the user, who may end it.
+render::Statistics render_watched(const RenderCommand& command, const Work& work) {
   const InterruptGuard interrupt;
   const auto display = make_progress_display(command.progress);
   render::Control control{
       .on_progress = [&](const render::Progress& p) { display->update(state_of(p)); },
       .stop = &interrupt.requested()};
-  if (checkpoints != nullptr) {
+  const Checkpoints::Warn warn = [&](const std::string& warning) {
+    display->finish();
+    print_warnings({{{}, warning}});
+  };
+  if (work.checkpoints != nullptr) {
     control.on_block = [&](const render::Canvas& canvas) {
-      checkpoints->block_done(canvas, [&](const std::string& warning) {
-        display->finish();
-        print_warnings({{{}, warning}});
-      });
+      work.checkpoints->block_done(canvas, warn);
     };
   }
   const render::Statistics statistics =
-      render::render(work.renderer, work.rules, control, work.canvas, pool);
+      work.crew != nullptr ? render_together(work, control, warn) : render_alone(work, control);
   display->finish();
   return statistics;
 }
@@ -165,68 +157,50 @@ void print_summary(const std::vector<std::string>& pictures, const RunStatistics
   }
 }
 
-}  // namespace
-
-ExitCode run(const RenderCommand& command) {
-  check_settings(command.settings);
-  const Outputs outputs(outputs_of(command), command.checkpoint_seconds != 0.0
-                                                 ? Outputs::Checkpoints::kept
-                                                 : Outputs::Checkpoints::none);
+void check_outputs(const RenderCommand& command, const Outputs& outputs) {
   if (command.blocks && outputs.is_checkpoint_beside()) {
     throw UsageError("--blocks needs a picture that can hold its sums for `merge`",
                      "name one that ends in .exr: -o part.exr");
   }
   outputs.check();
   if (!command.stats_file.empty()) image::OutputFile probe(command.stats_file);
+}
 
+/// Renders, with a crew if that is not null.
+ExitCode render_with(const RenderCommand& command, distributed::Crew* crew) {
+  check_settings(command.settings);
+  const Outputs outputs(outputs_of(command), command.checkpoint_seconds != 0.0
+                                                 ? Outputs::Checkpoints::kept
+                                                 : Outputs::Checkpoints::none);
+  check_outputs(command, outputs);
   RunStatistics statistics;
   WarningLog warnings;
-  InputFiles files;  // noted for checkpoints alone: a large mesh takes a while
-  InputFiles* const noted_files = outputs.checkpoint().empty() ? nullptr : &files;
+  InputFiles files;  // noted for checkpoints and a crew alone: a large mesh takes a while
+  InputFiles* const noted = outputs.checkpoint().empty() && crew == nullptr ? nullptr : &files;
   ThreadPool pool(command.threads);
+  const Preparation preparation(command, outputs.layers(), warnings, noted, pool);
+  const render::BlockRenderer& renderer = preparation.renderer();
+  statistics.note(preparation);
   statistics.threads = pool.threads();
-  PhaseClock clock;
-  auto description = load_scene(command.scene, command.settings, warnings, noted_files);
-  complete_scene(command.scene, description);
-  statistics.size = description.render.size;
-  render::check_size(statistics.size);
-  statistics.seconds.load = clock.lap();
-
-  const scene::Scene scene = scene::build(
-      description, {statistics.size, pool, warnings, description.render.light_choice, noted_files});
-  inspect::warn_about_averted_lights(description, warnings);
-  inspect::warn_about_empty_solids(description, scene, warnings);
-  inspect::warn_about_buried_camera(description, scene, warnings);
-  statistics.scene = scene.counts();
-  statistics.seconds.build = clock.lap();
-
-  const film::Film::Settings film_settings{.width = statistics.size.width,
-                                           .height = statistics.size.height,
-                                           .layers = outputs.layers(),
-                                           .exposure_factor = description.film.exposure,
-                                           .scene_size = scene.size()};
-  render::check_memory(film_settings);
-  const double cpu_seconds_before = process_cpu_seconds();
-  const render::BlockRenderer renderer(scene, render::sample_settings(description.render),
-                                       {film_settings.width, film_settings.height}, pool);
-  warn_about_caustics(renderer.caustics().state(), warnings);
-  warn_about_maps(renderer.illumination(), warnings);
-  const render::Origin origin = origin_of(command, description, files);
-  Start start = start_of(command, outputs, origin, film_settings, renderer);
+  statistics.ranks = crew != nullptr ? crew->ranks() : 1;
+  const render::Origin origin = origin_of(command, preparation.description(), files);
+  if (crew != nullptr) wait_until_ready(*crew, origin, preparation);
+  Start start = start_of(command, outputs, origin, preparation.film(), renderer);
   statistics.samples_before = start.canvas.film().pass_count();
-  statistics.maps = renderer.illumination();
-  statistics.seconds.photons = clock.lap();
   print_warnings(warnings.take());
   if (command.progress != ProgressStyle::none) print_start(start, outputs);
 
+  PhaseClock clock;
   std::optional<Checkpoints> checkpoints;
   if (!outputs.checkpoint().empty()) {
     checkpoints.emplace(outputs, origin, command.checkpoint_seconds);
   }
-  const Work work{renderer, stop_rules_of(command, description.render), start.canvas};
-  statistics.render = render_watched(command, work, checkpoints ? &*checkpoints : nullptr, pool);
+  const Work work{renderer,     pool,
+                  crew,         stop_rules_of(command, preparation.description().render),
+                  start.canvas, checkpoints ? &*checkpoints : nullptr};
+  statistics.render = render_watched(command, work);
   if (checkpoints) statistics.checkpoints = checkpoints->written();
-  statistics.render_cpu_seconds = process_cpu_seconds() - cpu_seconds_before;
+  statistics.render_cpu_seconds = process_cpu_seconds() - preparation.cpu_seconds_before();
   statistics.samples_per_pixel = start.canvas.picture().pass_count();
   statistics.seconds.render = clock.lap();
 
@@ -239,6 +213,24 @@ ExitCode run(const RenderCommand& command) {
   if (command.progress != ProgressStyle::none) print_summary(outputs.pictures(), statistics);
   return statistics.render.ending == render::Ending::interrupted ? ExitCode::interrupted
                                                                  : ExitCode::done;
+}
+
+}  // namespace
+
+ExitCode run(const RenderCommand& command) {
+  if (distributed::launch_of_environment().ranks == 1) return render_with(command, nullptr);
+  const std::unique_ptr<distributed::Channel> channel = distributed::start_mpi();
+  if (channel->ranks() == 1) return render_with(command, nullptr);
+  if (channel->rank() > 0) return work_for_rank_0(*channel, command);
+  constexpr double patience = 30;  // seconds; a block that is given up takes less
+  distributed::Crew crew(*channel);
+  const ExitCode code = render_with(command, &crew);
+  if (!crew.wait(patience)) {
+    print_warnings(
+        {{{}, "not all ranks answer any more; all files are written, and the job ends"}});
+    distributed::give_up_job(static_cast<int>(code));
+  }
+  return code;
 }
 
 }  // namespace lapidary::app

@@ -42,6 +42,15 @@ double process_cpu_seconds() {
   return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
 }
 
+void RunStatistics::note(const Preparation& preparation) {
+  scene = preparation.scene().counts();
+  size = preparation.description().render.size;
+  seconds.load = preparation.seconds().load;
+  seconds.build = preparation.seconds().build;
+  seconds.photons = preparation.seconds().photons;
+  maps = preparation.renderer().illumination();
+}
+
 std::string to_json(const RunStatistics& s) {
   const long peak_kibibytes = usage_of_process().ru_maxrss;
   const render::BlockTally& tally = s.render.tally;
@@ -70,6 +79,7 @@ std::string to_json(const RunStatistics& s) {
       {"photons", to_json(tally.counters)},
       {"map_photons", nullptr},
       {"peak_rss_bytes", static_cast<std::uint64_t>(peak_kibibytes) * 1024},
+      {"ranks", s.ranks},
       {"threads", s.threads},
       {"nan_samples", tally.faults.not_finite},
       {"saturated_samples", tally.faults.saturated},

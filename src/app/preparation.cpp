@@ -1,0 +1,70 @@
+#include "app/preparation.h"
+
+#include "app/load_scene.h"
+#include "app/phase_clock.h"
+#include "app/statistics.h"
+#include "inspect/averted_lights.h"
+#include "inspect/solid_warnings.h"
+#include "render/render.h"
+#include "scene/build.h"
+
+namespace lapidary::app {
+namespace {
+
+film::Film::Settings film_settings(const description::SceneDescription& description,
+                                   const scene::Scene& scene, film::Layers layers) {
+  const film::Film::Settings settings{.width = description.render.size.width,
+                                      .height = description.render.size.height,
+                                      .layers = layers,
+                                      .exposure_factor = description.film.exposure,
+                                      .scene_size = scene.size()};
+  render::check_memory(settings);
+  return settings;
+}
+
+/// What the user should know of caustics that are wanted and will not be there.
+void warn_about_caustics(transport::Caustics::State state, WarningLog& warnings) {
+  if (state != transport::Caustics::State::nothing_arrives) return;
+  warnings.add({},
+               "no photon that was sent through glass or off a mirror reached a surface that could "
+               "show it: what caustics there are is left to paths");
+}
+
+/// What the user should know of illumination maps that hold nothing.
+void warn_about_maps(const transport::IlluminationMaps* maps, WarningLog& warnings) {
+  using State = transport::IlluminationMaps::State;
+  // Of lights that send out nothing the scene has warned.
+  if (maps == nullptr || maps->state() != State::nothing_arrives) return;
+  warnings.add({},
+               "no photon fell on a surface that can hold an illumination map after it was "
+               "scattered: only direct light is seen");
+}
+
+}  // namespace
+
+Preparation::Preparation(const RenderCommand& command, film::Layers layers, WarningLog& warnings,
+                         InputFiles* files, ThreadPool& pool) {
+  PhaseClock clock;
+  description_ = load_scene(command.scene, command.settings, warnings, files);
+  complete_scene(command.scene, description_);
+  const description::RenderSettings& settings = description_.render;
+  render::check_size(settings.size);
+  seconds_.load = clock.lap();
+
+  scene_.emplace(
+      scene::build(description_, {settings.size, pool, warnings, settings.light_choice, files}));
+  inspect::warn_about_averted_lights(description_, warnings);
+  inspect::warn_about_empty_solids(description_, *scene_, warnings);
+  inspect::warn_about_buried_camera(description_, *scene_, warnings);
+  seconds_.build = clock.lap();
+
+  film_ = film_settings(description_, *scene_, layers);
+  cpu_seconds_before_ = process_cpu_seconds();
+  renderer_.emplace(*scene_, render::sample_settings(settings),
+                    render::BlockRenderer::Picture{film_.width, film_.height}, pool);
+  warn_about_caustics(renderer_->caustics().state(), warnings);
+  warn_about_maps(renderer_->illumination(), warnings);
+  seconds_.photons = clock.lap();
+}
+
+}  // namespace lapidary::app

@@ -1,0 +1,45 @@
+#include <charconv>
+#include <cstdlib>
+#include <optional>
+#include <string_view>
+
+#include <unistd.h>
+
+#include "distributed/mpi_channel.h"
+
+namespace lapidary::distributed {
+namespace {
+
+std::optional<int> number_in_environment(const char* name) {
+  const char* text = std::getenv(name);
+  if (text == nullptr) return std::nullopt;
+  const std::string_view view(text);
+  int number = 0;
+  const auto [end, problem] = std::from_chars(view.data(), view.data() + view.size(), number);
+  const bool is_number = problem == std::errc() && end == view.data() + view.size() && number >= 0;
+  return is_number ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
+
+Launch launch_of_environment() {
+  // mpirun of Open MPI. It may itself be started by srun, and then this counts.
+  if (const auto ranks = number_in_environment("OMPI_COMM_WORLD_SIZE")) {
+    return {number_in_environment("OMPI_COMM_WORLD_RANK").value_or(0), *ranks};
+  }
+  // srun, which says how many tasks this step has; a batch script alone is no step of tasks.
+  if (const auto ranks = number_in_environment("SLURM_STEP_NUM_TASKS")) {
+    return {number_in_environment("SLURM_PROCID").value_or(0), *ranks};
+  }
+  // Other launchers that follow PMIx.
+  if (const auto rank = number_in_environment("PMIX_RANK")) return {*rank, 0};
+  return {};
+}
+
+std::string host_name() {
+  char name[256] = "";
+  if (::gethostname(name, sizeof name - 1) != 0) return "unknown";
+  return name;
+}
+
+}  // namespace lapidary::distributed
