@@ -30,6 +30,8 @@ class Checkpoints {
   /// Writes one now. Whether it was written; failures are treated as by `block_done`.
   bool write(const render::Canvas& canvas, const Warn& warn);
 
+  const std::string& file() const { return outputs_.checkpoint(); }
+
   /// Those of this render, and the seconds they took, with those that failed.
   struct Written {
     int count = 0;

@@ -51,6 +51,8 @@ struct RenderCommand {
   bool resumes = false;                ///< --resume
   std::optional<BlockNumbers> blocks;  ///< --blocks
   std::string plan_file;               ///< --plan, with --blocks; empty: none
+  /// --shared-files: of several ranks each reads the scene's files, not the first one for all.
+  bool has_shared_files = false;
 };
 
 /// lapidary merge

@@ -2,10 +2,8 @@
 
 #include "app/load_scene.h"
 #include "app/phase_clock.h"
-#include "app/statistics.h"
 #include "inspect/averted_lights.h"
 #include "inspect/solid_warnings.h"
-#include "render/render.h"
 #include "scene/build.h"
 
 namespace lapidary::app {
@@ -22,7 +20,6 @@ film::Film::Settings film_settings(const description::SceneDescription& descript
   return settings;
 }
 
-/// What the user should know of caustics that are wanted and will not be there.
 void warn_about_caustics(transport::Caustics::State state, WarningLog& warnings) {
   if (state != transport::Caustics::State::nothing_arrives) return;
   warnings.add({},
@@ -30,7 +27,6 @@ void warn_about_caustics(transport::Caustics::State state, WarningLog& warnings)
                "show it: what caustics there are is left to paths");
 }
 
-/// What the user should know of illumination maps that hold nothing.
 void warn_about_maps(const transport::IlluminationMaps* maps, WarningLog& warnings) {
   using State = transport::IlluminationMaps::State;
   // Of lights that send out nothing the scene has warned.
@@ -59,12 +55,11 @@ Preparation::Preparation(const RenderCommand& command, film::Layers layers, Warn
   seconds_.build = clock.lap();
 
   film_ = film_settings(description_, *scene_, layers);
-  cpu_seconds_before_ = process_cpu_seconds();
-  renderer_.emplace(*scene_, render::sample_settings(settings),
-                    render::BlockRenderer::Picture{film_.width, film_.height}, pool);
-  warn_about_caustics(renderer_->caustics().state(), warnings);
-  warn_about_maps(renderer_->illumination(), warnings);
-  seconds_.photons = clock.lap();
+}
+
+void warn_about_photons(const render::BlockRenderer& renderer, WarningLog& warnings) {
+  warn_about_caustics(renderer.caustics().state(), warnings);
+  warn_about_maps(renderer.illumination(), warnings);
 }
 
 }  // namespace lapidary::app

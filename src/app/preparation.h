@@ -9,12 +9,12 @@
 #include "description/scene_description.h"
 #include "film/film.h"
 #include "render/block.h"
+#include "render/render.h"
 #include "scene/scene.h"
 
 namespace lapidary::app {
 
-/// A scene that was read and built, and can be rendered. It stays where it is: its parts refer to
-/// each other.
+/// A scene that was read and built. It stays where it is: its parts refer to each other.
 class Preparation {
  public:
   /// `files`, if not null, notes what is read. Throws Error, or UsageError.
@@ -26,23 +26,23 @@ class Preparation {
   const description::SceneDescription& description() const { return description_; }
   const scene::Scene& scene() const { return *scene_; }
   const film::Film::Settings& film() const { return film_; }
-  const render::BlockRenderer& renderer() const { return *renderer_; }
+  render::SampleSettings samples() const { return render::sample_settings(description_.render); }
+  render::BlockRenderer::Picture picture() const { return {film_.width, film_.height}; }
 
   /// Wall time from one step to the next.
   struct Seconds {
-    double load = 0, build = 0, photons = 0;
+    double load = 0, build = 0;
   };
   const Seconds& seconds() const { return seconds_; }
-  /// Processor time of this process that had gone by before the photons.
-  double cpu_seconds_before() const { return cpu_seconds_before_; }
 
  private:
   Seconds seconds_;
-  double cpu_seconds_before_ = 0;
   description::SceneDescription description_;
   std::optional<scene::Scene> scene_;
   film::Film::Settings film_;
-  std::optional<render::BlockRenderer> renderer_;
 };
+
+/// Warns of caustics and illumination maps that are wanted and will not be there.
+void warn_about_photons(const render::BlockRenderer& renderer, WarningLog& warnings);
 
 }  // namespace lapidary::app

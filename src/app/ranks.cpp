@@ -2,6 +2,7 @@
 
 #include <map>
 #include <new>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "app/outputs.h"
 #include "app/resume.h"
 #include "distributed/byte_stream.h"
+#include "distributed/file_message.h"
 #include "distributed/mpi_channel.h"
 #include "distributed/worker.h"
 
@@ -32,7 +34,8 @@ struct View {
   NamedTexts facts;  ///< what is compared, and its name in messages
 };
 
-View view_of(const render::Origin& origin, const Preparation& preparation) {
+View view_of(const Readiness& ready) {
+  const render::Origin& origin = ready.origin;
   View view{distributed::host_name(), {}};
   view.facts.emplace_back("Lapidary", origin.version);
   for (const auto& [name, text] : origin.settings) view.facts.emplace_back("setting " + name, text);
@@ -42,10 +45,10 @@ View view_of(const render::Origin& origin, const Preparation& preparation) {
   for (const FileRecord& file : origin.files) {
     view.facts.emplace_back("file " + file.name, "SHA-256 " + file.sha256);
   }
-  const film::Film::Settings& film = preparation.film();
+  const film::Film::Settings& film = ready.preparation.film();
   view.facts.emplace_back("layers", film.layers == film::Layers::all ? "all" : "beauty");
   view.facts.emplace_back("size of the scene", fmt::format("{}", film.scene_size));
-  const render::PhotonShare share = preparation.renderer().photon_share();
+  const render::PhotonShare share = ready.renderer.photon_share();
   view.facts.emplace_back("cost of photons", fmt::format("{}", share.cost));
   view.facts.emplace_back("error of photons", fmt::format("{}", share.error));
   return view;
@@ -84,27 +87,49 @@ std::string reason(const std::string& problem) {
   return fmt::format("on {}: {}", distributed::host_name(), problem);
 }
 
+/// What rank 0 sends of the files; nothing if it ended before that.
+std::optional<FileAnswers> receive_files(distributed::Orders& orders) {
+  while (!orders.are_over()) {
+    const auto order = orders.poll();
+    if (!order) {
+      distributed::nap(orders.channel());
+      continue;
+    }
+    if (order->topic != Topic::job) ByteReader::fail();
+    return distributed::read_file_message(*order->bytes);
+  }
+  return std::nullopt;
+}
+
 /// Makes of the scene what rank 0 makes of it, and works.
-void work(distributed::Orders& orders, const RenderCommand& command) {
+void work(distributed::Orders& orders, const RenderCommand& command, InputFiles& files) {
   const Outputs outputs(outputs_of(command), Outputs::Checkpoints::none);
   WarningLog warnings;  // rank 0 has the same, and tells
-  InputFiles files;
   ThreadPool pool(command.threads);
   const Preparation preparation(command, outputs.layers(), warnings, &files, pool);
+  files.forget_contents();
   const render::Origin origin = origin_of(command, preparation.description(), files);
-  orders.channel().send(0, message_of(view_of(origin, preparation)));
-  distributed::work(orders, {preparation.renderer(), preparation.film(), pool});
+  const render::BlockRenderer renderer(preparation.scene(), preparation.samples(),
+                                       preparation.picture(), pool);
+  orders.channel().send(0, message_of(view_of({origin, preparation, renderer})));
+  distributed::work(orders, {renderer, preparation.film(), pool});
+}
+
+void work(distributed::Orders& orders, const RenderCommand& command) {
+  if (command.has_shared_files) {
+    InputFiles files;
+    return work(orders, command, files);
+  }
+  auto answers = receive_files(orders);
+  if (!answers) return orders.take_leave();
+  InputFiles files(std::move(*answers));
+  work(orders, command, files);
 }
 
 }  // namespace
 
-std::string name_of_rank(int rank, const std::string& host) {
-  return fmt::format("rank {} on {}", rank, host);
-}
-
-void wait_until_ready(distributed::Crew& crew, const render::Origin& origin,
-                      const Preparation& preparation) {
-  const View here = view_of(origin, preparation);
+void wait_until_ready(distributed::Crew& crew, const Readiness& ready) {
+  const View here = view_of(ready);
   for (int missing = crew.ranks() - 1; missing > 0;) {
     const auto received = crew.channel().poll();
     if (!received) {
@@ -120,8 +145,8 @@ void wait_until_ready(distributed::Crew& crew, const render::Origin& origin,
     const auto list = differences(here.facts, there.facts);
     if (!list.empty()) {
       throw DifferentPicture(
-          name_of_rank(received->from, there.host) + " would render another picture", list,
-          "all ranks need the same build of Lapidary, command line and files");
+          fmt::format("rank {} on {} would render another picture", received->from, there.host),
+          list, "all ranks need the same build of Lapidary, command line and files");
     }
     --missing;
   }

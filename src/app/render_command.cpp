@@ -74,8 +74,8 @@ render::Statistics render_together(const Work& work, const render::Control& cont
   const auto keep = [&] {
     if (work.checkpoints == nullptr || work.canvas.film().passes().is_empty()) return;
     if (!work.checkpoints->write(work.canvas, warn)) return;
-    fmt::print(stderr, "checkpoint of {} samples per pixel is written, --resume goes on with it\n",
-               work.canvas.film().pass_count());
+    fmt::print(stderr, "{}: checkpoint of {} samples per pixel, --resume goes on with it\n",
+               work.checkpoints->file(), work.canvas.film().pass_count());
   };
   try {
     const render::Statistics statistics =
@@ -179,18 +179,26 @@ ExitCode render_with(const RenderCommand& command, distributed::Crew* crew) {
   InputFiles* const noted = outputs.checkpoint().empty() && crew == nullptr ? nullptr : &files;
   ThreadPool pool(command.threads);
   const Preparation preparation(command, outputs.layers(), warnings, noted, pool);
-  const render::BlockRenderer& renderer = preparation.renderer();
   statistics.note(preparation);
   statistics.threads = pool.threads();
-  statistics.ranks = crew != nullptr ? crew->ranks() : 1;
   const render::Origin origin = origin_of(command, preparation.description(), files);
-  if (crew != nullptr) wait_until_ready(*crew, origin, preparation);
+  if (crew != nullptr && !command.has_shared_files) crew->send_files(files.answers());
+  PhaseClock clock;
+  const double cpu_seconds_before = process_cpu_seconds();
+  const render::BlockRenderer renderer(preparation.scene(), preparation.samples(),
+                                       preparation.picture(), pool);
+  warn_about_photons(renderer, warnings);
+  statistics.maps = renderer.illumination();
+  if (crew != nullptr) {
+    statistics.ranks = crew->ranks();
+    wait_until_ready(*crew, {origin, preparation, renderer});
+  }
   Start start = start_of(command, outputs, origin, preparation.film(), renderer);
   statistics.samples_before = start.canvas.film().pass_count();
+  statistics.seconds.photons = clock.lap();
   print_warnings(warnings.take());
   if (command.progress != ProgressStyle::none) print_start(start, outputs);
 
-  PhaseClock clock;
   std::optional<Checkpoints> checkpoints;
   if (!outputs.checkpoint().empty()) {
     checkpoints.emplace(outputs, origin, command.checkpoint_seconds);
@@ -200,7 +208,7 @@ ExitCode render_with(const RenderCommand& command, distributed::Crew* crew) {
                   start.canvas, checkpoints ? &*checkpoints : nullptr};
   statistics.render = render_watched(command, work);
   if (checkpoints) statistics.checkpoints = checkpoints->written();
-  statistics.render_cpu_seconds = process_cpu_seconds() - preparation.cpu_seconds_before();
+  statistics.render_cpu_seconds = process_cpu_seconds() - cpu_seconds_before;
   statistics.samples_per_pixel = start.canvas.picture().pass_count();
   statistics.seconds.render = clock.lap();
 

@@ -47,8 +47,6 @@ void RunStatistics::note(const Preparation& preparation) {
   size = preparation.description().render.size;
   seconds.load = preparation.seconds().load;
   seconds.build = preparation.seconds().build;
-  seconds.photons = preparation.seconds().photons;
-  maps = preparation.renderer().illumination();
 }
 
 std::string to_json(const RunStatistics& s) {

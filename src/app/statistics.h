@@ -30,12 +30,12 @@ struct RunStatistics {
   Checkpoints::Written checkpoints;
   int ranks = 1;
   int threads = 0;                ///< of this rank
-  double render_cpu_seconds = 0;  ///< processor time of photons and rendering, of this rank
+  double render_cpu_seconds = 0;  ///< processor time from `photons` to `render`, of this rank
   /// Null unless paths end in illumination maps; only read by `to_json`.
   const transport::IlluminationMaps* maps = nullptr;
   render::Statistics render;
 
-  /// What is known before rendering. The preparation must outlive this.
+  /// What is known of the scene.
   void note(const Preparation& preparation);
 };
 

@@ -12,7 +12,7 @@ using Bytes = std::vector<std::byte>;
 
 /// What a message is about. Rank 0 is the one that all others work for.
 enum class Topic : std::uint8_t {
-  job,     ///< from 0, for all: what is to be rendered
+  job,     ///< from 0, for all: the files of the scene
   ready,   ///< to 0: can render it, with what it has made of it
   failed,  ///< to 0: cannot, and why
   epoch,   ///< from 0, for all: a decision of adaptive sampling

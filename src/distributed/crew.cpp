@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "distributed/file_message.h"
+
 namespace lapidary::distributed {
 namespace {
 
@@ -12,6 +14,10 @@ constexpr double patience = 60;
 
 Crew::~Crew() {
   wait(patience);
+}
+
+void Crew::send_files(const FileAnswers& answers) {
+  send_on(channel_, file_message(answers));
 }
 
 void Crew::dismiss() {

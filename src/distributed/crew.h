@@ -1,7 +1,6 @@
 #pragma once
 
-#include <vector>
-
+#include "base/input_files.h"
 #include "distributed/channel.h"
 
 namespace lapidary::distributed {
@@ -18,6 +17,9 @@ class Crew {
 
   Channel& channel() const { return channel_; }
   int ranks() const { return channel_.ranks(); }
+
+  /// What this rank found in the files of the scene.
+  void send_files(const FileAnswers& answers);
 
   /// Tells all to leave whatever they do; once is enough.
   void dismiss();

@@ -84,9 +84,25 @@ std::optional<std::vector<int>> Dealer::done(int rank, const PassRange& run,
     std::erase(others, rank);
     dealt_.erase(dealt);
   }
-  if (passes.is_empty() || done_.overlaps(passes)) return std::nullopt;
-  done_.add(passes);
-  return others;
+  const bool is_news = !passes.is_empty() && !done_.overlaps(passes);
+  if (is_news) done_.add(passes);
+  find_taken();
+  return is_news ? std::optional(others) : std::nullopt;
+}
+
+void Dealer::recall() {
+  dealt_.clear();
+  find_taken();
+}
+
+void Dealer::find_taken() {
+  taken_ = done_;
+  for (const Dealt& dealt : dealt_) {
+    for (std::uint32_t begin = dealt.run.begin; begin < dealt.run.end; begin += block_) {
+      const PassRange block{begin, begin + block_};
+      if (!taken_.overlaps(block)) taken_.add(block);
+    }
+  }
 }
 
 int Dealer::load(int rank) const {

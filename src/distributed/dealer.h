@@ -42,9 +42,13 @@ class Dealer {
   std::optional<Shared> share(int rank, double block_seconds, Clock::time_point now);
 
   /// Passes have been rendered by a rank, which was asked for `run`. Returns who else has that, and
-  /// no longer does; nothing if the passes are known already and worth nothing.
+  /// no longer does; nothing if some of the passes are known already: then they are
+  /// worth nothing, and the others of `run` are to be dealt again.
   std::optional<std::vector<int>> done(int rank, const film::PassRange& run,
                                        const film::PassSet& passes);
+
+  /// Nobody has anything any more: what is not done is to be dealt again.
+  void recall();
 
   /// Runs that a rank has.
   int load(int rank) const;
@@ -57,6 +61,7 @@ class Dealer {
     Clock::time_point since;
   };
   bool is_first_of(int rank, const Dealt& dealt) const;
+  void find_taken();
 
   int ranks_;
   std::uint32_t block_;

@@ -64,10 +64,10 @@ class Master {
     if (pace_.ending() == Ending::complete) return true;
     return in_order_.empty() && dealer_.done().first_missing(pace_.first_pass()) >= whole_end();
   }
-  /// Where the blocks end that are asked for and whole.
+  /// Where the blocks end that are to be rendered and whole.
   std::uint64_t whole_end() const {
     const auto last = pace_.last_pass();
-    return last ? *last / block_ * block_ : without_end;
+    return std::min(time_end_, last ? *last / block_ * block_ : without_end);
   }
 
   enum class Outcome { rendered, stopped };
@@ -96,8 +96,10 @@ class Master {
   render::BlockTally tally_;
   RunningMean block_seconds_, add_seconds_;
   std::map<std::uint32_t, RenderedRun> in_order_;  ///< those that wait for their turn
-  std::uint64_t announced_ = 0;                    ///< decisions
-  int idle_ = 0;                                   ///< others that have finished
+  /// Where it ends because the time is over; behind it nobody has begun anything.
+  std::uint64_t time_end_ = without_end;
+  std::uint64_t announced_ = 0;  ///< decisions
+  int idle_ = 0;                 ///< others that have finished
   Clock::time_point last_progress_ = Clock::now() - std::chrono::hours(1);
 };
 
@@ -239,13 +241,17 @@ Master::Outcome Master::render_blocks() {
   announce_decisions();
   while (!is_done()) {
     if (is_stopped()) return Outcome::stopped;
-    if (is_time_over()) return finish();
+    if (is_time_over() && time_end_ == without_end && finish() == Outcome::stopped) {
+      return Outcome::stopped;
+    }
     deal();
     if (!receive()) nap(channel_);
   }
   return Outcome::rendered;
 }
 
+/// All end after the block that they are at. What is missing below the last of these is rendered
+/// as well: the picture is one that the number of its samples determines.
 Master::Outcome Master::finish() {
   send_on(channel_, {Topic::finish});
   thread_->finish();
@@ -253,6 +259,8 @@ Master::Outcome Master::finish() {
     if (is_stopped()) return Outcome::stopped;
     if (!receive()) nap(channel_);
   }
+  dealer_.recall();
+  time_end_ = dealer_.done().end();
   return Outcome::rendered;
 }
 

@@ -12,8 +12,8 @@ namespace lapidary::distributed {
 ///
 /// With a limit of samples, blocks or noise the picture has the same bits as of one rank: for the
 /// noise films are looked at one block at a time in their order, and what comes after the end is
-/// thrown away. At the end of the time all finish the block that they are at, so there may be gaps
-/// between the passes; stopped from outside, they drop it.
+/// thrown away. At the end of the time all finish the block that they are at; stopped from outside,
+/// they drop it, and there may be gaps between the passes.
 /// Throws Error where a rank gives up or sends what makes no sense, and bad_alloc; the canvas then
 /// is what it was before that.
 /// Precondition: `check_can_go_on`.

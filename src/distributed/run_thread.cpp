@@ -38,7 +38,6 @@ RunThread::~RunThread() {
 void RunThread::add(const PassRange& run) {
   {
     const std::lock_guard lock(mutex_);
-    if (is_finishing_) return;
     waiting_.push_back(run);
   }
   changed_.notify_all();
@@ -65,7 +64,7 @@ void RunThread::learn(Decision decision) {
 void RunThread::finish() {
   const std::lock_guard lock(mutex_);
   waiting_.clear();
-  is_finishing_ = true;
+  is_finishing_ = running_.has_value();
 }
 
 std::optional<RenderedRun> RunThread::take() {
@@ -105,6 +104,7 @@ void RunThread::work() {
       problem_ = std::current_exception();
     }
     running_.reset();
+    is_finishing_ = false;
   }
 }
 

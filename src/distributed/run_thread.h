@@ -40,7 +40,7 @@ class RunThread {
   void drop(const film::PassRange& run);
   /// The next decision of adaptive sampling. Throws Error if it is not the next.
   void learn(Decision decision);
-  /// Forgets what waits, and ends after the running block, which is delivered.
+  /// Forgets what waits, and lets the running block be the last of its run, which is delivered.
   void finish();
 
   /// What has been rendered, in its order; nothing if there is nothing new. Throws bad_alloc where
@@ -64,7 +64,7 @@ class RunThread {
   std::optional<render::SamplePlan> plan_;
   std::exception_ptr problem_;
   std::atomic<bool> is_given_up_ = false;   // the running run
-  std::atomic<bool> is_finishing_ = false;  // after a block
+  std::atomic<bool> is_finishing_ = false;  // the same, after a block
   bool is_ending_ = false;
   // Of the thread alone.
   render::SampleMap map_;

@@ -38,7 +38,7 @@ description::ObjectPtr MeshFiles::read(const std::filesystem::path& file,
       file, {.warnings = warnings_, .allow = allow_, .files = files_, .normals = options.normals});
   description::Mesh mesh;
   // What no file defines (no `newmtl` line) is left for the object's own material to fill.
-  const MtlReading reading{warnings_, images_, allow_};
+  const MtlReading reading{warnings_, images_, allow_, files_};
   for (const MtlMaterial& material : obj.materials) {
     mesh.materials.push_back(material.where.line > 0 ? to_material(material, reading) : nullptr);
   }

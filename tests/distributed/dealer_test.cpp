@@ -87,6 +87,21 @@ TEST(Dealer, GivesAwayWhatASlowRankHasNotBegun) {
   EXPECT_EQ(dealer.done(0, {0, 4}, PassRange{0, 4}), std::nullopt) << "known already";
 }
 
+TEST(Dealer, DealsAgainWhatIsCalledBack) {
+  Dealer dealer(1, 4, {});
+  const Bounds bounds{.end = 100, .end_of_work = 1000, .most_blocks = 4};
+  EXPECT_EQ(dealer.deal(0, bounds, start), PassRange(0, 16));
+  EXPECT_EQ(dealer.deal(0, bounds, start), PassRange(16, 32));
+  EXPECT_EQ(dealer.done(0, {0, 16}, PassRange{0, 8}), std::vector<int>()) << "not to its end";
+  dealer.recall();
+  EXPECT_EQ(dealer.load(0), 0);
+  EXPECT_EQ(dealer.deal(0, bounds, start), PassRange(8, 24));
+  // One that was asked before comes late, and has some of it.
+  EXPECT_EQ(dealer.done(0, {16, 32}, PassRange{16, 32}), std::vector<int>());
+  EXPECT_EQ(dealer.done(0, {8, 24}, PassRange{8, 24}), std::nullopt);
+  EXPECT_EQ(dealer.deal(0, bounds, start), PassRange(8, 16));
+}
+
 // Ranks of very different speed, some of which die: all passes come, each counted once.
 TEST(Dealer, ComesToTheEndWhateverRanksDo) {
   Random random(3);

@@ -102,7 +102,7 @@ TEST(Ranks, MakeThePictureOfOne) {
     for (const auto caustics : {paths, photons}) {
       SmallScene small(sampling, caustics);
       const Canvas whole = small.alone({.samples = 75});
-      for (const int ranks : {1, 2, 4, 7}) {
+      for (const int ranks : {1, 2, 5}) {
         Canvas canvas = small.empty();
         const auto statistics = go_on(small, ranks, {.samples = 75}, canvas);
         expect_same(canvas, whole);
@@ -175,10 +175,7 @@ TEST(Ranks, StopInTimeAndAllDeliver) {
     EXPECT_EQ(statistics.ending, Ending::out_of_time);
     EXPECT_GE(statistics.seconds, 0.2);
     EXPECT_GT(canvas.film().pass_count(), 0u);
-    const std::uint32_t end = canvas.film().passes().end();
-    // Whatever the gaps are, they can be filled.
-    go_on(small, ranks, {.samples = end}, canvas);
-    expect_same(canvas, small.alone({.samples = end}));
+    expect_same(canvas, small.alone({.samples = canvas.film().passes().end()}));
   }
 }
 
@@ -191,6 +188,7 @@ TEST(Ranks, StopWhenTheyAreTold) {
                                 .stop = &stop};
   const auto statistics = go_on(small, 3, {.samples = 1 << 20}, canvas, control);
   EXPECT_EQ(statistics.ending, Ending::interrupted);
+  // Whatever the gaps are, they can be filled.
   const std::uint32_t end = std::max(32u, canvas.film().passes().end());
   go_on(small, 2, {.samples = end}, canvas);
   expect_same(canvas, small.alone({.samples = end}));
