@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "distributed/file_message.h"
 #include "support/random.h"
 
 namespace lapidary::test {
@@ -86,6 +87,16 @@ TEST(EpochMessage, ComesBack) {
     EXPECT_EQ(got.allocation, sent.allocation);
     EXPECT_THROW(distributed::read_epoch_message(bytes, pixels + 2), Error);
   }
+}
+
+TEST(FileMessage, ComesBack) {
+  const FileAnswers sent = {
+      {std::string("content\0a.png", 13), std::string("\0\1\2", 3)}, {"x", ""}, {"y", "z"}};
+  const Bytes bytes = *distributed::file_message(sent).bytes;
+  EXPECT_EQ(distributed::read_file_message(bytes), sent);
+  EXPECT_EQ(distributed::read_file_message({}), FileAnswers());
+  const Bytes part(bytes.begin(), bytes.end() - 1);
+  EXPECT_THROW(distributed::read_file_message(part), Error);
 }
 
 }  // namespace

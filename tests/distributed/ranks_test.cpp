@@ -184,7 +184,7 @@ TEST(Ranks, StopWhenTheyAreTold) {
   std::atomic<bool> stop = false;
   Canvas canvas = small.empty();
   int blocks = 0;
-  const render::Control control{.on_block = [&](const Canvas&) { stop = ++blocks == 3; },
+  const render::Control control{.on_block = [&](const Canvas&) { stop = ++blocks >= 3; },
                                 .stop = &stop};
   const auto statistics = go_on(small, 3, {.samples = 1 << 20}, canvas, control);
   EXPECT_EQ(statistics.ending, Ending::interrupted);
