@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/memory.h"
 #include "distributed/byte_stream.h"
 #include "distributed/dealer.h"
 #include "render/pace.h"
@@ -74,6 +75,7 @@ class Master {
   Outcome render_blocks();
   Outcome finish();
   void render_cut();
+  std::uint64_t films_that_fit() const;
   Dealer::Bounds bounds() const;
   void deal();
   void give(int rank, const PassRange& run);
@@ -103,10 +105,16 @@ class Master {
   Clock::time_point last_progress_ = Clock::now() - std::chrono::hours(1);
 };
 
+/// In a quarter of the memory: those that wait for their turn are kept one by one.
+std::uint64_t Master::films_that_fit() const {
+  const std::uint64_t film = film::Film::bytes(equipment_.settings);
+  return std::max<std::uint64_t>(1, physical_memory_bytes() / 4 / film);
+}
+
 Dealer::Bounds Master::bounds() const {
   constexpr double least = 0.05;             // seconds of a run: messages take a millisecond or two
   constexpr double most_of_master = 0.1;     // share of its time that rank 0 adds films
-  constexpr std::uint32_t blocks_ahead = 4;  // of each rank, while the noise decides
+  constexpr std::uint64_t blocks_ahead = 4;  // of each rank, while the noise decides
   const auto ranks = static_cast<std::uint32_t>(channel_.ranks());
   Dealer::Bounds bounds{.begin = pace_.first_pass(),
                         .end = std::min(whole_end(), canvas_.samples_known_until()),
@@ -116,7 +124,8 @@ Dealer::Bounds Master::bounds() const {
   bounds.end = std::min(bounds.end, last / block_ * block_);
   if (rules_.noise) {
     const std::uint64_t next = canvas_.film().passes().first_missing(bounds.begin);
-    bounds.end = std::min(bounds.end, next + blocks_ahead * ranks * block_);
+    const std::uint64_t window = std::min(blocks_ahead * ranks, films_that_fit());
+    bounds.end = std::min(bounds.end, next + window * block_);
   } else if (block_seconds_.value() > 0.0) {
     const double seconds = std::max(least, ranks * add_seconds_.value() / most_of_master);
     bounds.most_blocks =
