@@ -96,6 +96,7 @@ std::optional<FileAnswers> receive_files(distributed::Orders& orders) {
       continue;
     }
     if (order->topic != Topic::job) ByteReader::fail();
+    orders.send_all();
     return distributed::read_file_message(*order->bytes);
   }
   return std::nullopt;
@@ -131,7 +132,7 @@ void work(distributed::Orders& orders, const RenderCommand& command) {
 void wait_until_ready(distributed::Crew& crew, const Readiness& ready) {
   const View here = view_of(ready);
   for (int missing = crew.ranks() - 1; missing > 0;) {
-    const auto received = crew.channel().poll();
+    const auto received = crew.poll();
     if (!received) {
       distributed::nap(crew.channel());
       continue;
@@ -150,6 +151,15 @@ void wait_until_ready(distributed::Crew& crew, const Readiness& ready) {
     }
     --missing;
   }
+}
+
+void warn_about_binding(const RenderCommand& command, WarningLog& warnings) {
+  const auto bound = distributed::processors_of_mpirun();
+  if (!bound || command.threads != 0) return;
+  warnings.add({},
+               fmt::format("mpirun lets this rank have {} of {} processors; with --bind-to none "
+                           "it has all, and --threads says how many to use",
+                           bound->allowed, bound->there));
 }
 
 ExitCode work_for_rank_0(distributed::Channel& channel, const RenderCommand& command) {

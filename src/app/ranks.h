@@ -19,6 +19,10 @@ struct Readiness {
 /// and DifferentPicture where one has made something else of the scene.
 void wait_until_ready(distributed::Crew& crew, const Readiness& here);
 
+/// Warns where a rank is given fewer processors than its share of the machine and --threads is not
+/// there to say that this is meant.
+void warn_about_binding(const RenderCommand& command, WarningLog& warnings);
+
 /// Renders for rank 0, to the end. What goes wrong is for that to tell.
 ExitCode work_for_rank_0(distributed::Channel& channel, const RenderCommand& command);
 

@@ -191,6 +191,7 @@ ExitCode render_with(const RenderCommand& command, distributed::Crew* crew) {
   statistics.maps = renderer.illumination();
   if (crew != nullptr) {
     statistics.ranks = crew->ranks();
+    warn_about_binding(command, warnings);
     wait_until_ready(*crew, {origin, preparation, renderer});
   }
   Start start = start_of(command, outputs, origin, preparation.film(), renderer);

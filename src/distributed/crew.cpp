@@ -1,6 +1,7 @@
 #include "distributed/crew.h"
 
 #include <chrono>
+#include <utility>
 
 #include "distributed/file_message.h"
 
@@ -18,6 +19,18 @@ Crew::~Crew() {
 
 void Crew::send_files(const FileAnswers& answers) {
   send_on(channel_, file_message(answers));
+  // Afterwards nobody looks after messages for a while, and long ones would stand still.
+  while (channel_.is_busy()) {
+    if (auto received = channel_.poll()) early_.push_back(std::move(*received));
+    nap(channel_);
+  }
+}
+
+std::optional<Received> Crew::poll() {
+  if (early_.empty()) return channel_.poll();
+  Received first = std::move(early_.front());
+  early_.pop_front();
+  return first;
 }
 
 void Crew::dismiss() {
@@ -33,7 +46,7 @@ bool Crew::wait(double seconds) {
   const Clock::time_point start = Clock::now();
   while (gone_ < ranks() - 1 || channel_.is_busy()) {
     // What was rendered too late is received, and forgotten.
-    const auto received = channel_.poll();
+    const auto received = poll();
     if (received && received->message.topic == Topic::bye) ++gone_;
     if (received) continue;
     if (std::chrono::duration<double>(Clock::now() - start).count() > seconds) return false;

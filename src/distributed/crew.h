@@ -1,5 +1,8 @@
 #pragma once
 
+#include <deque>
+#include <optional>
+
 #include "base/input_files.h"
 #include "distributed/channel.h"
 
@@ -18,8 +21,12 @@ class Crew {
   Channel& channel() const { return channel_; }
   int ranks() const { return channel_.ranks(); }
 
-  /// What this rank found in the files of the scene.
+  /// Sends what this rank found in the files of the scene, and returns when it is on its way to
+  /// all.
   void send_files(const FileAnswers& answers);
+
+  /// A message that has arrived; nothing if there is none.
+  std::optional<Received> poll();
 
   /// Tells all to leave whatever they do; once is enough.
   void dismiss();
@@ -28,6 +35,7 @@ class Crew {
 
  private:
   Channel& channel_;
+  std::deque<Received> early_;  ///< what came while something else was to be done
   bool is_dismissed_ = false;
   int gone_ = 0;
 };

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include <sched.h>
 #include <unistd.h>
 
 #include "distributed/mpi_channel.h"
@@ -34,6 +35,17 @@ Launch launch_of_environment() {
   // Other launchers that follow PMIx.
   if (const auto rank = number_in_environment("PMIX_RANK")) return {*rank, 0};
   return {};
+}
+
+std::optional<BoundProcessors> processors_of_mpirun() {
+  const auto ranks_here = number_in_environment("OMPI_COMM_WORLD_LOCAL_SIZE");
+  // A batch system has its own reasons.
+  if (!ranks_here || std::getenv("SLURM_JOB_ID") != nullptr) return std::nullopt;
+  cpu_set_t set;
+  if (::sched_getaffinity(0, sizeof set, &set) != 0) return std::nullopt;
+  const BoundProcessors bound{CPU_COUNT(&set), static_cast<int>(::sysconf(_SC_NPROCESSORS_ONLN))};
+  const bool has_share = bound.allowed * *ranks_here >= bound.there;
+  return has_share ? std::nullopt : std::optional(bound);
 }
 
 std::string host_name() {

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <deque>
 #include <mutex>
+#include <utility>
 
 namespace lapidary::distributed {
 namespace {
@@ -25,14 +26,19 @@ class LocalChannel : public Channel {
 
   void send(int to, Message message) override {
     assert(to >= 0 && to < ranks());
-    Mailbox& box = (*boxes_)[static_cast<std::size_t>(to)];
     if (!message.bytes) message.bytes = std::make_shared<const Bytes>();
-    const std::lock_guard lock(box.mutex);
-    box.messages.push_back({rank_, std::move(message)});
+    leaving_.emplace_back(to, std::move(message));
   }
 
   std::optional<Received> poll() override {
-    Mailbox& box = (*boxes_)[static_cast<std::size_t>(rank_)];
+    if (!leaving_.empty()) {
+      auto& [to, message] = leaving_.front();
+      Mailbox& there = box_of(to);
+      const std::lock_guard lock(there.mutex);
+      there.messages.push_back({rank_, std::move(message)});
+      leaving_.pop_front();
+    }
+    Mailbox& box = box_of(rank_);
     const std::lock_guard lock(box.mutex);
     if (box.messages.empty()) return std::nullopt;
     Received first = std::move(box.messages.front());
@@ -40,9 +46,12 @@ class LocalChannel : public Channel {
     return first;
   }
 
-  bool is_busy() const override { return false; }
+  bool is_busy() const override { return !leaving_.empty(); }
 
  private:
+  Mailbox& box_of(int rank) { return (*boxes_)[static_cast<std::size_t>(rank)]; }
+
+  std::deque<std::pair<int, Message>> leaving_;
   int rank_;
   std::shared_ptr<Mailboxes> boxes_;
 };

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
-#include <vector>
 
 #include "distributed/channel.h"
 
@@ -16,6 +16,14 @@ struct Launch {
 };
 /// A launch of 1 where there is no launcher.
 Launch launch_of_environment();
+
+/// Processors that Open MPI's mpirun has bound this rank to, where these are fewer than its share
+/// of the machine's. Other launchers know what they are asked for: nothing.
+struct BoundProcessors {
+  int allowed = 0;
+  int there = 0;
+};
+std::optional<BoundProcessors> processors_of_mpirun();
 
 /// Whether this build can talk MPI.
 bool has_mpi();

@@ -3,6 +3,8 @@
 #include <cassert>
 #include <utility>
 
+#include "distributed/byte_stream.h"
+
 namespace lapidary::distributed {
 namespace {
 
@@ -30,13 +32,18 @@ std::optional<Message> Orders::poll() {
   return std::nullopt;
 }
 
+void Orders::send_all() {
+  while (channel_.is_busy()) {
+    const bool is_more = are_over() ? channel_.poll().has_value() : poll().has_value();
+    if (is_more) ByteReader::fail();
+    nap(channel_);
+  }
+}
+
 void Orders::take_leave() {
   assert(are_over());
   channel_.send(0, {Topic::bye});
-  while (channel_.is_busy()) {
-    channel_.poll();
-    nap(channel_);
-  }
+  send_all();
 }
 
 }  // namespace lapidary::distributed

@@ -16,6 +16,9 @@ class Orders {
 
   /// What has arrived; nothing if there is nothing, and none but job, run, drop, epoch and finish.
   std::optional<Message> poll();
+  /// Waits until what was sent is gone; before this rank does something else for a while. Throws
+  /// Error where anything but the end arrives meanwhile.
+  void send_all();
   /// Whether rank 0 has nothing more to say, and this rank has to take its leave.
   bool are_over() const { return has_ended_ && may_leave_; }
 

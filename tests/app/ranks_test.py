@@ -105,6 +105,19 @@ class Same(RanksTest):
         self.assert_same("one.exr", "a.exr")
 
 
+class Binding(RanksTest):
+    def test_to_few_processors_is_told(self):
+        if os.cpu_count() < 2:
+            self.skipTest("there is one processor anyway")
+        one = ["env", "OMPI_COMM_WORLD_LOCAL_SIZE=1", "taskset", "--cpu-list",
+               str(min(os.sched_getaffinity(0))), program_test.LAPIDARY, "render", "scene.lua",
+               "--samples", "1"]
+        for more, warnings in (([], 1), (["--threads", "1"], 0)):
+            done = self.finish(self.launch("-n", "2", *one, *more))
+            self.assertEqual(done.stderr.count("warning: mpirun lets this rank have 1 of"),
+                             warnings, done.stderr)
+
+
 class Files(RanksTest):
     """What other ranks know of the scene's files."""
 
