@@ -35,7 +35,8 @@ struct Message {
 
 struct Received {
   int from = 0;
-  Message message;  ///< with bytes, if only none
+  Message message;     ///< with bytes, if only none
+  double seconds = 0;  ///< that it took to arrive once it had begun to
 };
 
 /// Carries messages between the ranks of a job, which may be processes on many machines. All of it

@@ -38,7 +38,8 @@ std::optional<PassRange> Dealer::deal(int rank, const Bounds& bounds, Clock::tim
   // A part of what is left, not an equal share: nobody knows who will be slow.
   const std::uint64_t left = (bounds.end_of_work - begin) / block_;
   const std::uint64_t fair = left / (2 * static_cast<std::uint64_t>(ranks_));
-  const std::uint64_t blocks = std::clamp<std::uint64_t>(fair, 1, bounds.most_blocks);
+  const std::uint64_t blocks =
+      std::clamp<std::uint64_t>(fair, bounds.least_blocks, bounds.most_blocks);
   end = std::min(end, begin + blocks * block_);
   const PassRange run{begin, static_cast<std::uint32_t>(end)};
   taken_.add(run);

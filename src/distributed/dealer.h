@@ -23,9 +23,10 @@ class Dealer {
   /// What may be dealt now.
   struct Bounds {
     std::uint32_t begin = 0;
-    std::uint64_t end = 0;          ///< a multiple of the block
-    std::uint64_t end_of_work = 0;  ///< beyond it nothing will ever be dealt
-    std::uint32_t most_blocks = 1;  ///< in one run
+    std::uint64_t end = 0;           ///< a multiple of the block
+    std::uint64_t end_of_work = 0;   ///< beyond it nothing will ever be dealt
+    std::uint32_t least_blocks = 1;  ///< in one run, where there are so many
+    std::uint32_t most_blocks = 1;
     enum class Epochs { are_ends, none } epochs = Epochs::none;  ///< whether runs end there
   };
 

@@ -35,7 +35,7 @@ class LocalChannel : public Channel {
       auto& [to, message] = leaving_.front();
       Mailbox& there = box_of(to);
       const std::lock_guard lock(there.mutex);
-      there.messages.push_back({rank_, std::move(message)});
+      there.messages.push_back({rank_, std::move(message), 0.0});
       leaving_.pop_front();
     }
     Mailbox& box = box_of(rank_);

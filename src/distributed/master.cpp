@@ -76,12 +76,13 @@ class Master {
   Outcome finish();
   void render_cut();
   std::uint64_t films_that_fit() const;
+  std::uint32_t blocks_in(double seconds) const;
   Dealer::Bounds bounds() const;
   void deal();
   void give(int rank, const PassRange& run);
   bool receive();
   void handle(const Received& received);
-  void accept(int from, RenderedRun rendered, Clock::time_point begin);
+  void accept(int from, RenderedRun rendered);
   void add(RenderedRun rendered);
   void announce_decisions();
 
@@ -96,7 +97,7 @@ class Master {
   Dealer dealer_;
   std::optional<RunThread> thread_;
   render::BlockTally tally_;
-  RunningMean block_seconds_, add_seconds_;
+  RunningMean block_seconds_, film_seconds_;
   std::map<std::uint32_t, RenderedRun> in_order_;  ///< those that wait for their turn
   /// Where it ends because the time is over; behind it nobody has begun anything.
   std::uint64_t time_end_ = without_end;
@@ -111,9 +112,13 @@ std::uint64_t Master::films_that_fit() const {
   return std::max<std::uint64_t>(1, physical_memory_bytes() / 4 / film);
 }
 
+std::uint32_t Master::blocks_in(double seconds) const {
+  return static_cast<std::uint32_t>(std::clamp(seconds / block_seconds_.value(), 1.0, 1e6));
+}
+
 Dealer::Bounds Master::bounds() const {
   constexpr double least = 0.05;             // seconds of a run: messages take a millisecond or two
-  constexpr double most_of_master = 0.1;     // share of its time that rank 0 adds films
+  constexpr double share = 0.1;              // of its time that rank 0 receives and adds films
   constexpr std::uint64_t blocks_ahead = 4;  // of each rank, while the noise decides
   const auto ranks = static_cast<std::uint32_t>(channel_.ranks());
   Dealer::Bounds bounds{.begin = pace_.first_pass(),
@@ -127,9 +132,10 @@ Dealer::Bounds Master::bounds() const {
     const std::uint64_t window = std::min(blocks_ahead * ranks, films_that_fit());
     bounds.end = std::min(bounds.end, next + window * block_);
   } else if (block_seconds_.value() > 0.0) {
-    const double seconds = std::max(least, ranks * add_seconds_.value() / most_of_master);
-    bounds.most_blocks =
-        static_cast<std::uint32_t>(std::clamp(seconds / block_seconds_.value(), 1.0, 1e6));
+    // Of runs as long as this there are as many as rank 0 can take.
+    const double seconds = ranks * film_seconds_.value();
+    bounds.least_blocks = blocks_in(seconds);
+    bounds.most_blocks = blocks_in(std::max(least, seconds / share));
   }
   return bounds;
 }
@@ -174,7 +180,7 @@ bool Master::receive() {
     is_news = true;
   }
   while (auto rendered = thread_->take()) {
-    accept(0, std::move(*rendered), Clock::now());
+    accept(0, std::move(*rendered));
     is_news = true;
   }
   return is_news;
@@ -185,7 +191,9 @@ void Master::handle(const Received& received) {
   const Bytes& bytes = *received.message.bytes;
   switch (received.message.topic) {
     case Topic::film:
-      return accept(received.from, read_film_message(bytes, equipment_.settings), begin);
+      accept(received.from, read_film_message(bytes, equipment_.settings));
+      film_seconds_.add(received.seconds + seconds_since(begin));
+      return;
     case Topic::idle:
       ++idle_;
       return;
@@ -196,7 +204,7 @@ void Master::handle(const Received& received) {
   }
 }
 
-void Master::accept(int from, RenderedRun rendered, Clock::time_point begin) {
+void Master::accept(int from, RenderedRun rendered) {
   const auto others = dealer_.done(from, rendered.run, rendered.film.passes());
   if (!others) return;
   for (const int rank : *others) {
@@ -218,7 +226,6 @@ void Master::accept(int from, RenderedRun rendered, Clock::time_point begin) {
     while (is_next() && !pace_.limit_is_met())
       add(std::move(in_order_.extract(in_order_.begin()).mapped()));
   }
-  if (from != 0) add_seconds_.add(seconds_since(begin));
 }
 
 void Master::add(RenderedRun rendered) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
+#include <chrono>
 #include <list>
 #include <utility>
 
@@ -37,6 +37,8 @@ bool are_done(std::vector<MPI_Request>& requests) {
   MPI_Testall(static_cast<int>(requests.size()), requests.data(), &done, MPI_STATUSES_IGNORE);
   return done != 0;
 }
+
+using Clock = std::chrono::steady_clock;
 
 /// Messages over MPI_COMM_WORLD. One is received at a time: the others' bytes stay where they are
 /// until there is room for them here.
@@ -82,7 +84,8 @@ class MpiChannel : public Channel {
     if (!are_done(receiving_->requests)) return std::nullopt;
     Receiving done = std::move(*receiving_);
     receiving_.reset();
-    return Received{done.from, {done.topic, std::move(done.bytes)}};
+    const std::chrono::duration<double> seconds = Clock::now() - done.begin;
+    return Received{done.from, {done.topic, std::move(done.bytes)}, seconds.count()};
   }
 
   bool is_busy() const override { return receiving_ || !sending_.empty(); }
@@ -98,6 +101,7 @@ class MpiChannel : public Channel {
     Topic topic = Topic::end;
     std::shared_ptr<Bytes> bytes;
     std::vector<MPI_Request> requests;
+    Clock::time_point begin = Clock::now();
   };
 
   bool begin_to_receive() {

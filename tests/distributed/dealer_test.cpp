@@ -48,6 +48,14 @@ TEST(Dealer, MakesRunsSmallTowardsTheEnd) {
   }
   EXPECT_EQ(before, 400u);
   EXPECT_EQ(largest, 4u);
+
+  Dealer coarse(2, 4, {});
+  const Bounds no_less{.end = 400, .end_of_work = 400, .least_blocks = 3, .most_blocks = 10};
+  std::uint32_t least = 400;
+  for (auto run = coarse.deal(0, no_less, start); run; run = coarse.deal(0, no_less, start)) {
+    if (run->end < 400) least = std::min(least, run->size());
+  }
+  EXPECT_EQ(least, 12u) << "rank 0 can take no more films than so many";
 }
 
 TEST(Dealer, EndsRunsWithTheEpoch) {
