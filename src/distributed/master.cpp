@@ -223,7 +223,7 @@ void Master::accept(int from, RenderedRun rendered) {
       const std::uint32_t next = canvas_.film().passes().first_missing(pace_.first_pass());
       return !in_order_.empty() && in_order_.begin()->first == next;
     };
-    while (is_next() && !pace_.limit_is_met())
+    while (is_next() && pace_.ending() != Ending::complete)
       add(std::move(in_order_.extract(in_order_.begin()).mapped()));
   }
 }
