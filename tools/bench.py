@@ -254,6 +254,37 @@ def rows_of_pictures(build):
            "<=0.15")
 
 
+def rows_of_ranks(build):
+    """The throughput of two ranks with a thread each over that of one process with two: the median
+    of pairs, of wall time, and of processor time with that of waiting for messages."""
+    if shutil.which("mpirun") is None:
+        print("bench: no mpirun, so nothing is known of ranks", file=sys.stderr)
+        return
+    environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1",
+                   "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+
+    def run(folder, launcher, threads):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        subprocess.run([*launcher, build / "lapidary", "render", ROOT / "examples/cornell.lua",
+                        "-o", folder / "out.exr", "--stats", folder / "stats.json", "--quiet",
+                        "--size", "512x512", "--samples", "64", "--render", "max_depth=8",
+                        "--threads", str(threads)], check=True, env=environment)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        stats = json.loads((folder / "stats.json").read_text())
+        assert stats["ranks"] * stats["threads"] == 2, "both should have two threads in all"
+        return (stats["seconds"]["render"],
+                after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        pairs = [(run(folder, [], 2),
+                  run(folder, ["mpirun", "--oversubscribe", "--bind-to", "none", "-n", "2"], 1))
+                 for _ in range(5)]
+    for what, i, target in (("throughput", 0, ">=0.9"), ("per_cpu", 1, "-")):
+        yield (f"ranks.two.{what}", statistics.median(one[i] / two[i] for one, two in pairs), "x",
+               target)
+
+
 def rows_of_command_line(build):
     def start():
         begin = time.perf_counter()
@@ -315,6 +346,8 @@ def measure(build, wanted, references):
         yield from rows_of_lights(build)
     if wanted in (None, "texture"):
         yield from rows_of_pictures(build)
+    if wanted in (None, "ranks"):
+        yield from rows_of_ranks(build)
     if wanted in of_caustics:
         with tempfile.TemporaryDirectory() as folder:
             yield from rows_of_caustics(build, wanted, references or pathlib.Path(folder))

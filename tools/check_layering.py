@@ -26,7 +26,8 @@ FENCES = (
     (re.compile(r"^mpi\.h"), "distributed"),
     (re.compile(r"^httplib\.h"), "preview"),
 )
-EMBREE = FENCES[2][0]
+# Of these, one file alone.
+ONE_FILE = {"Embree": FENCES[2][0], "MPI": FENCES[4][0]}
 
 # What only app/ may do.
 OUTSIDE_WORLD = (
@@ -126,17 +127,17 @@ def check_size(path, text, report):
 
 
 def check_includes(path, folder, code, house, report):
-    """Returns whether the file includes Embree."""
-    embree = False
+    """Returns those of ONE_FILE that the file includes."""
+    used = set()
     for number, quote, target in includes(code):
         objection = house.objection(folder, path.name, target) if quote == '"' else None
         for pattern, owner in FENCES:
             if pattern.match(target) and folder != owner:
                 objection = f"includes <{target}>, which only {owner}/ may"
-        embree = embree or bool(EMBREE.match(target))
+        used |= {name for name, pattern in ONE_FILE.items() if pattern.match(target)}
         if objection:
             report(path, number, objection)
-    return embree
+    return used
 
 
 def check_outside_world(path, code, report):
@@ -171,16 +172,17 @@ def violations(root):
 
     page = root / "docs" / "architecture.md"
     house = House(page.read_text(encoding="utf-8"))
-    embree_users = []
+    users = {name: [] for name in ONE_FILE}
     for folder in check_folders(root, house, report):
         for path in sources_under(root / "src" / folder):
             code = without_comments(path.read_text(encoding="utf-8"))
-            if check_includes(path, folder, code, house, report):
-                embree_users.append(path)
+            for name in check_includes(path, folder, code, house, report):
+                users[name].append(path)
             if folder != "app":
                 check_outside_world(path, code, report)
-    for path in embree_users[1:]:
-        report(path, 0, f"includes Embree, as {embree_users[0].name} does: one file may")
+    for name, paths in users.items():
+        for path in paths[1:]:
+            report(path, 0, f"includes {name}, as {paths[0].name} does: one file may")
     for name in ("src", "tests", "bench", "tools"):
         for path in sources_under(root / name):
             check_size(path, path.read_text(encoding="utf-8"), report)

@@ -28,11 +28,14 @@ double Checkpoints::default_interval(double cost) {
   return std::max(least, cost / most_overhead);
 }
 
-void Checkpoints::block_done(const render::Canvas& canvas,
-                             const std::function<void(const std::string&)>& warn) {
-  const Clock::time_point begin = Clock::now();
+void Checkpoints::block_done(const render::Canvas& canvas, const Warn& warn) {
   const double cost = cost_ < 0 ? estimated_cost(canvas) : cost_;
-  if (seconds_between(last_, begin) < interval_.value_or(default_interval(cost))) return;
+  if (seconds_between(last_, Clock::now()) < interval_.value_or(default_interval(cost))) return;
+  write(canvas, warn);
+}
+
+bool Checkpoints::write(const render::Canvas& canvas, const Warn& warn) {
+  const Clock::time_point begin = Clock::now();
   const auto fail = [&](std::string_view why) {
     if (!is_failing_) {
       warn(fmt::format("{}; rendering goes on, and the checkpoint before this one stays", why));
@@ -51,6 +54,7 @@ void Checkpoints::block_done(const render::Canvas& canvas,
   last_ = Clock::now();
   cost_ = seconds_between(begin, last_);
   written_.seconds += cost_;
+  return !is_failing_;
 }
 
 }  // namespace lapidary::app

@@ -16,6 +16,7 @@ namespace lapidary::app {
 class Checkpoints {
  public:
   using Clock = std::chrono::steady_clock;
+  using Warn = std::function<void(const std::string&)>;
 
   /// `interval` [s] > 0; none: by itself, at most 2 % of the time. The outputs and the origin must
   /// outlive this.
@@ -24,8 +25,12 @@ class Checkpoints {
 
   /// To be called between blocks: writes a checkpoint if it is time. Where that fails the one
   /// before it stays, and `warn` gets a text, once until it works again.
-  void block_done(const render::Canvas& canvas,
-                  const std::function<void(const std::string&)>& warn);
+  void block_done(const render::Canvas& canvas, const Warn& warn);
+
+  /// Writes one now. Whether it was written; failures are treated as by `block_done`.
+  bool write(const render::Canvas& canvas, const Warn& warn);
+
+  const std::string& file() const { return outputs_.checkpoint(); }
 
   /// Those of this render, and the seconds they took, with those that failed.
   struct Written {

@@ -195,6 +195,9 @@ void declare(CLI::App& verb, RenderCommand& command) {
   add_text(verb, "--plan", "FILE",
            "the picture with the checkpoint whose adaptive sampling --blocks follow",
            [&](const std::string& text) { command.plan_file = text; });
+  verb.add_flag_callback(
+      "--shared-files", [&] { command.has_shared_files = true; },
+      "under mpirun: each rank reads the scene itself, not the first for all");
   const std::vector<std::pair<std::string, ProgressStyle>> styles = {
       {"bar", ProgressStyle::bar}, {"lines", ProgressStyle::lines}, {"json", ProgressStyle::json}};
   add_choice(verb, "--progress", command.progress, styles,

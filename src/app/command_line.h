@@ -61,6 +61,8 @@ struct RenderCommand {
   std::optional<BlockNumbers> blocks;  ///< --blocks
   std::string plan_file;               ///< --plan, with --blocks; empty: none
   std::optional<FrameNumbers> frames;  ///< --frames
+  /// --shared-files: of several ranks each reads the scene's files, not the first one for all.
+  bool has_shared_files = false;
 };
 
 /// lapidary merge

@@ -9,9 +9,15 @@
 #include "app/different_picture.h"
 #include "app/messages.h"
 #include "base/error.h"
+#include "distributed/mpi_channel.h"
 
 namespace lapidary::app {
 namespace {
+
+/// Of several processes with one command line the first one is enough to say what is wrong.
+void tell(const Location& where, std::string_view problem, std::string_view hint) {
+  if (distributed::launch_of_environment().rank == 0) print_error(where, problem, hint);
+}
 
 /// Everything that can go wrong becomes one message and an exit code here.
 ExitCode run_program(std::vector<std::string> arguments) {
@@ -19,20 +25,20 @@ ExitCode run_program(std::vector<std::string> arguments) {
     const Command command = parse_command_line(std::move(arguments));
     return std::visit([](const auto& c) { return run(c); }, command);
   } catch (const UsageError& error) {
-    print_error({}, error.what(), error.hint());
+    tell({}, error.what(), error.hint());
     return ExitCode::usage;
   } catch (const DifferentPicture& error) {
-    print_error({}, error.what(), error.hint());
+    tell({}, error.what(), error.hint());
     return ExitCode::different;
   } catch (const Error& error) {
-    print_error(error.where(), error.problem(), error.hint());
+    tell(error.where(), error.problem(), error.hint());
     return ExitCode::bad_input;
   } catch (const std::bad_alloc&) {
-    print_error({}, "there is not enough memory for this",
-                "a smaller --size, fewer triangles or smaller images need less");
+    tell({}, "there is not enough memory for this",
+         "a smaller --size, fewer triangles or smaller images need less");
     return ExitCode::bad_input;
   } catch (const std::exception& error) {
-    print_error({}, std::string("internal error: ") + error.what(), "please report this");
+    tell({}, std::string("internal error: ") + error.what(), "please report this");
     return ExitCode::internal_error;
   }
 }

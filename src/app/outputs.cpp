@@ -41,6 +41,12 @@ image::WriteOptions write_options(const render::Canvas& canvas, const PictureFac
   return options;
 }
 
+std::vector<std::string> outputs_of(const RenderCommand& command) {
+  if (!command.outputs.empty()) return command.outputs;
+  const std::string stem = std::filesystem::path(command.scene.file).stem().string();
+  return {stem + (command.scene.frame ? "_####.png" : ".png")};
+}
+
 Outputs::Outputs(std::vector<std::string> pictures, Checkpoints checkpoints)
     : pictures_(std::move(pictures)) {
   if (checkpoints == Checkpoints::kept) checkpoint_ = checkpoint_file(pictures_);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/command_line.h"
 #include "film/film.h"
 #include "image/image_io.h"
 #include "render/canvas.h"
@@ -16,6 +17,8 @@ struct PictureFacts {
   double seconds = 0;  ///< of rendering
 };
 image::WriteOptions write_options(const render::Canvas& canvas, const PictureFacts& facts);
+/// The pictures that a command is to write; of a frame with #### for its number.
+std::vector<std::string> outputs_of(const RenderCommand& command);
 
 /// The files that a picture goes to. Its checkpoint is the second part of the first OpenEXR file
 /// among them, else NAME.checkpoint.exr beside the first.

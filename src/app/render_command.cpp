@@ -1,6 +1,6 @@
-#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include <fmt/core.h>
@@ -13,33 +13,20 @@
 #include "app/load_scene.h"
 #include "app/messages.h"
 #include "app/outputs.h"
+#include "app/phase_clock.h"
+#include "app/preparation.h"
 #include "app/preview.h"
 #include "app/progress.h"
+#include "app/ranks.h"
 #include "app/resume.h"
 #include "app/statistics.h"
+#include "distributed/master.h"
+#include "distributed/mpi_channel.h"
 #include "image/output_file.h"
-#include "inspect/averted_lights.h"
-#include "inspect/solid_warnings.h"
 #include "render/render.h"
-#include "scene/build.h"
 
 namespace lapidary::app {
 namespace {
-
-/// Measures phases that follow each other without a gap.
-class PhaseClock {
- public:
-  /// Seconds since the last call, or since the clock was made.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 ProgressState state_of(const render::Progress& progress, std::optional<int> frame) {
   ProgressState state;
@@ -60,41 +47,6 @@ void write_text(const std::string& path, const std::string& text) {
   image::OutputFile file(path);
   file.write(text.data(), text.size());
   file.commit();
-}
-
-/// What the user should know of caustics that are wanted and will not be there.
-void warn_about_caustics(transport::Caustics::State state, WarningLog& warnings) {
-  if (state != transport::Caustics::State::nothing_arrives) return;
-  warnings.add({},
-               "no photon that was sent through glass or off a mirror reached a surface that could "
-               "show it: what caustics there are is left to paths");
-}
-
-/// What the user should know of illumination maps that hold nothing.
-void warn_about_maps(const transport::IlluminationMaps* maps, WarningLog& warnings) {
-  using State = transport::IlluminationMaps::State;
-  // Of lights that send out nothing the scene has warned.
-  if (maps == nullptr || maps->state() != State::nothing_arrives) return;
-  warnings.add({},
-               "no photon fell on a surface that can hold an illumination map after it was "
-               "scattered: only direct light is seen");
-}
-
-/// What is rendered, and where to.
-struct Work {
-  const render::BlockRenderer& renderer;
-  render::StopRules rules;
-  render::Canvas& canvas;
-};
-
-/// Says where a render starts, if that is a question.
-void print_start(const Start& start, const Outputs& outputs) {
-  if (start.from == Start::From::no_checkpoint) {
-    print_note(fmt::format("{}: not there, starting from the beginning", outputs.checkpoint()));
-  } else if (start.from == Start::From::checkpoint) {
-    print_note(fmt::format("{}: going on from {} samples per pixel", outputs.checkpoint(),
-                           start.canvas.film().pass_count()));
-  }
 }
 
 /// What is done between the blocks of a render; either may be missing.
@@ -123,18 +75,63 @@ BetweenBlocks between_blocks(const RenderCommand& command, const Outputs& output
   return between;
 }
 
+/// What is rendered, with what and whom, and where to.
+struct Work {
+  const render::BlockRenderer& renderer;
+  ThreadPool& pool;
+  distributed::Crew* crew;  ///< null: this process is alone
+  render::StopRules rules;
+  render::Canvas& canvas;
+  BetweenBlocks& between;
+};
+
+/// Says where a render starts, if that is a question.
+void print_start(const Start& start, const Outputs& outputs) {
+  if (start.from == Start::From::no_checkpoint) {
+    print_note(fmt::format("{}: not there, starting from the beginning", outputs.checkpoint()));
+  } else if (start.from == Start::From::checkpoint) {
+    print_note(fmt::format("{}: going on from {} samples per pixel", outputs.checkpoint(),
+                           start.canvas.film().pass_count()));
+  }
+}
+
+render::Statistics render_alone(const Work& work, const render::Control& control) {
+  return render::render(work.renderer, work.rules, control, work.canvas, work.pool);
+}
+
+/// A launcher that is interrupted, or has lost a rank, leaves little time: the checkpoint comes
+/// first, and what else there is to do after it.
+render::Statistics render_together(const Work& work, const render::Control& control) {
+  const auto keep = [&] {
+    std::optional<Checkpoints>& checkpoints = work.between.checkpoints;
+    if (!checkpoints || work.canvas.film().passes().is_empty()) return;
+    if (!checkpoints->write(work.canvas, BetweenBlocks::warn)) return;
+    print_note(fmt::format("{}: checkpoint of {} samples per pixel, --resume goes on with it",
+                           checkpoints->file(), work.canvas.film().pass_count()));
+  };
+  try {
+    const render::Statistics statistics =
+        distributed::render(*work.crew, {work.renderer, work.canvas.film().settings(), work.pool},
+                            work.rules, control, work.canvas);
+    if (statistics.ending == render::Ending::interrupted) keep();
+    return statistics;
+  } catch (...) {
+    keep();
+    throw;
+  }
+}
+
 /// Renders under the eyes of the user, who may end it.
 render::Statistics render_watched(const RenderCommand& command, const Work& work,
-                                  BetweenBlocks& between, ProgressDisplay& display,
-                                  ThreadPool& pool) {
+                                  ProgressDisplay& display) {
   const InterruptGuard interrupt;
   const render::Control control{
       .on_progress =
           [&](const render::Progress& p) { display.update(state_of(p, command.scene.frame)); },
-      .on_block = [&](const render::Canvas& canvas) { between.block_done(canvas); },
+      .on_block = [&](const render::Canvas& canvas) { work.between.block_done(canvas); },
       .stop = &interrupt.requested()};
   const render::Statistics statistics =
-      render::render(work.renderer, work.rules, control, work.canvas, pool);
+      work.crew != nullptr ? render_together(work, control) : render_alone(work, control);
   display.finish();
   return statistics;
 }
@@ -181,61 +178,6 @@ void print_summary(const std::vector<std::string>& pictures, const RunStatistics
   }
 }
 
-/// What one frame of an animation leaves to the next.
-struct Kept {
-  import::SceneFiles files;
-  geometry::TriangleScene triangles;
-};
-
-/// What the work on a picture needs beside its command.
-struct Workshop {
-  ThreadPool& pool;
-  WarningLog& warnings;
-  InputFiles* files;  ///< notes what is read; null: nobody wants to know
-  Kept& kept;
-  ProgressDisplay& display;
-  PhaseClock& clock;
-  RunStatistics& statistics;
-};
-
-/// A scene that is ready, and the description it was made from.
-struct Prepared {
-  description::SceneDescription description;
-  scene::Scene scene;
-};
-
-Prepared prepare(const RenderCommand& command, const Workshop& with) {
-  RunStatistics& statistics = with.statistics;
-  with.display.begin(Phase::load, command.scene.frame);
-  auto description =
-      load_scene(command.scene, command.settings, {with.warnings, with.files, &with.kept.files});
-  complete_scene(command.scene, description);
-  statistics.size = description.render.size;
-  render::check_size(statistics.size);
-  statistics.seconds.load = with.clock.lap();
-
-  with.display.begin(Phase::build, command.scene.frame);
-  scene::Scene scene = scene::build(
-      description, {statistics.size, with.pool, with.warnings, description.render.light_choice,
-                    with.files, &with.kept.triangles});
-  with.kept.triangles = scene.world().triangles();
-  inspect::warn_about_averted_lights(description, with.warnings);
-  inspect::warn_about_empty_solids(description, scene, with.warnings);
-  inspect::warn_about_buried_camera(description, scene, with.warnings);
-  statistics.scene = scene.counts();
-  statistics.seconds.build = with.clock.lap();
-  return {std::move(description), std::move(scene)};
-}
-
-film::Film::Settings film_settings_of(const Prepared& prepared, const Outputs& outputs) {
-  const auto& [description, scene] = prepared;
-  return {.width = description.render.size.width,
-          .height = description.render.size.height,
-          .layers = outputs.layers(),
-          .exposure_factor = description.film.exposure,
-          .scene_size = scene.size()};
-}
-
 /// Finds out before the work what would fail after it.
 void check_files(const RenderCommand& command, const Outputs& outputs) {
   if (command.blocks && outputs.is_checkpoint_beside()) {
@@ -247,63 +189,77 @@ void check_files(const RenderCommand& command, const Outputs& outputs) {
   if (!command.stats_file.empty()) image::OutputFile probe(command.stats_file);
 }
 
-void render_prepared(const RenderCommand& command, const Outputs& outputs, const Prepared& prepared,
-                     const Workshop& with) {
-  const auto& [description, scene] = prepared;
-  RunStatistics& statistics = with.statistics;
-  const film::Film::Settings film_settings = film_settings_of(prepared, outputs);
-  render::check_memory(film_settings);
+/// With a crew if that is not null.
+RunStatistics render_to(const Outputs& outputs, const RenderCommand& command, const Workshop& with,
+                        distributed::Crew* crew) {
+  RunStatistics statistics;
+  statistics.threads = with.pool.threads();
+  const Preparation preparation(command, outputs.layers(), with);
+  statistics.note(preparation);
+  InputFiles none;
+  InputFiles& files = with.files != nullptr ? *with.files : none;
+  const render::Origin origin = origin_of(command, preparation.description(), files);
+  if (crew != nullptr && !command.has_shared_files) crew->send_files(files.answers());
+
+  PhaseClock clock;
   const double cpu_seconds_before = process_cpu_seconds();
   with.display.begin(Phase::photons, command.scene.frame);
-  const render::BlockRenderer renderer(scene, render::sample_settings(description.render),
-                                       {film_settings.width, film_settings.height}, with.pool);
-  warn_about_caustics(renderer.caustics().state(), with.warnings);
-  warn_about_maps(renderer.illumination(), with.warnings);
-  const InputFiles none;
-  const render::Origin origin =
-      origin_of(command, description, with.files != nullptr ? *with.files : none);
-  Start start = start_of(command, outputs, origin, film_settings, renderer);
+  const render::BlockRenderer renderer(preparation.scene(), preparation.samples(),
+                                       preparation.picture(), with.pool);
+  warn_about_photons(renderer, with.warnings);
+  if (crew != nullptr) {
+    statistics.ranks = crew->ranks();
+    warn_about_binding(command, with.warnings);
+    wait_until_ready(*crew, {origin, preparation, renderer});
+  }
+  Start start = start_of(command, outputs, origin, preparation.film(), renderer);
   statistics.samples_before = start.canvas.film().pass_count();
-  statistics.seconds.photons = with.clock.lap();
+  statistics.seconds.photons = clock.lap();
   print_warnings(with.warnings.take());
   if (command.progress != ProgressStyle::none) print_start(start, outputs);
 
   with.display.begin(Phase::render, command.scene.frame);
   BetweenBlocks between = between_blocks(command, outputs, origin);
-  const Work work{renderer, stop_rules_of(command, description.render), start.canvas};
-  statistics.render = render_watched(command, work, between, with.display, with.pool);
+  const Work work{renderer,     with.pool,
+                  crew,         stop_rules_of(command, preparation.description().render),
+                  start.canvas, between};
+  statistics.render = render_watched(command, work, with.display);
   if (between.checkpoints) statistics.checkpoints = between.checkpoints->written();
   statistics.render_cpu_seconds = process_cpu_seconds() - cpu_seconds_before;
   statistics.samples_per_pixel = start.canvas.picture().pass_count();
-  statistics.seconds.render = with.clock.lap();
+  statistics.seconds.render = clock.lap();
 
   with.display.begin(Phase::write, command.scene.frame);
   write_pictures(outputs, origin, start, statistics,
                  completion_of(command, work.rules, statistics.render.ending));
   between.finish(start.canvas);
-  statistics.seconds.write = with.clock.lap();
+  statistics.seconds.write = clock.lap();
   if (!command.stats_file.empty()) {
     write_text(command.stats_file, to_json(statistics, renderer.illumination()));
   }
   with.display.finish();
   warn_about_faults(start.canvas.picture().faults(), with.warnings);
+  return statistics;
 }
 
-ExitCode render_picture(const RenderCommand& command, Kept& kept, ThreadPool& pool) {
+/// Who works on a picture.
+struct Hands {
+  ThreadPool& pool;
+  distributed::Crew* crew;  ///< null: this process is alone
+};
+
+ExitCode render_picture(const RenderCommand& command, Kept& kept, const Hands& hands) {
   const Outputs outputs(command.outputs, command.checkpoint_seconds != 0.0
                                              ? Outputs::Checkpoints::kept
                                              : Outputs::Checkpoints::none);
   check_files(command, outputs);
-  RunStatistics statistics;
-  statistics.threads = pool.threads();
   WarningLog warnings;
-  InputFiles files;  // noted for checkpoints alone: a large mesh takes a while
+  InputFiles files;  // noted for checkpoints and a crew alone: a large mesh takes a while
+  const bool are_noted = !outputs.checkpoint().empty() || hands.crew != nullptr;
   const auto display = make_progress_display(command.progress);
-  PhaseClock clock;
-  const Workshop workshop{pool,      warnings, outputs.checkpoint().empty() ? nullptr : &files,
-                          kept,      *display, clock,
-                          statistics};
-  render_prepared(command, outputs, prepare(command, workshop), workshop);
+  const RunStatistics statistics =
+      render_to(outputs, command,
+                {warnings, are_noted ? &files : nullptr, kept, *display, hands.pool}, hands.crew);
   print_warnings(warnings.take());
   if (command.progress != ProgressStyle::none) print_summary(outputs.pictures(), statistics);
   return statistics.render.ending == render::Ending::interrupted ? ExitCode::interrupted
@@ -321,7 +277,7 @@ ExitCode render_frames(const RenderCommand& command, ThreadPool& pool) {
       continue;
     }
     try {
-      const ExitCode code = render_picture(one, kept, pool);
+      const ExitCode code = render_picture(one, kept, {pool, nullptr});
       if (code != ExitCode::done) return code;
     } catch (const Error& error) {
       throw Error(error.where(), fmt::format("frame {}: {}", frame, error.problem()), error.hint());
@@ -330,21 +286,40 @@ ExitCode render_frames(const RenderCommand& command, ThreadPool& pool) {
   return ExitCode::done;
 }
 
+/// Renders, with a crew if that is not null.
+ExitCode render_with(const RenderCommand& command, distributed::Crew* crew) {
+  check_settings(command.settings);
+  if (command.frames && crew != nullptr) {
+    throw UsageError("several ranks render one frame",
+                     "--frame N is one of them; a job for each, or --frames without mpirun, "
+                     "renders all");
+  }
+  ThreadPool pool(command.threads);
+  if (command.frames) return render_frames(command, pool);
+  RenderCommand one = command;
+  one.outputs = outputs_of(command);
+  Kept nothing;
+  return render_picture(command.scene.frame ? of_frame(one, *command.scene.frame) : one, nothing,
+                        {pool, crew});
+}
+
 }  // namespace
 
 ExitCode run(const RenderCommand& command) {
   if (command.progress == ProgressStyle::json) set_message_style(MessageStyle::json);
-  check_settings(command.settings);
-  ThreadPool pool(command.threads);
-  if (command.frames) return render_frames(command, pool);
-  RenderCommand one = command;
-  if (one.outputs.empty()) {
-    const std::string stem = std::filesystem::path(command.scene.file).stem().string();
-    one.outputs = {stem + (command.scene.frame ? "_####.png" : ".png")};
+  if (distributed::launch_of_environment().ranks == 1) return render_with(command, nullptr);
+  const std::unique_ptr<distributed::Channel> channel = distributed::start_mpi();
+  if (channel->ranks() == 1) return render_with(command, nullptr);
+  if (channel->rank() > 0) return work_for_rank_0(*channel, command);
+  constexpr double patience = 30;  // seconds; a block that is given up takes less
+  distributed::Crew crew(*channel);
+  const ExitCode code = render_with(command, &crew);
+  if (!crew.wait(patience)) {
+    print_warnings(
+        {{{}, "not all ranks answer any more; all files are written, and the job ends"}});
+    distributed::give_up_job(static_cast<int>(code));
   }
-  Kept nothing;
-  return render_picture(command.scene.frame ? of_frame(one, *command.scene.frame) : one, nothing,
-                        pool);
+  return code;
 }
 
 }  // namespace lapidary::app

@@ -60,8 +60,7 @@ Start find_start(const RenderCommand& command, const Outputs& outputs, const ren
 }  // namespace
 
 render::Origin origin_of(const RenderCommand& command,
-                         const description::SceneDescription& description,
-                         const InputFiles& files) {
+                         const description::SceneDescription& description, InputFiles& files) {
   const std::filesystem::path scene = command.scene.file;
   render::Origin origin{LAPIDARY_VERSION,
                         scene.filename().string(),

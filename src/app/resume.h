@@ -13,7 +13,7 @@ namespace lapidary::app {
 
 /// What a render of `command` is made from.
 render::Origin origin_of(const RenderCommand& command,
-                         const description::SceneDescription& description, const InputFiles& files);
+                         const description::SceneDescription& description, InputFiles& files);
 
 /// When it is to stop.
 render::StopRules stop_rules_of(const RenderCommand& command,

@@ -70,6 +70,13 @@ std::string json_line(const std::string& picture, const RunStatistics& s) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
+void RunStatistics::note(const Preparation& preparation) {
+  scene = preparation.scene().counts();
+  size = preparation.description().render.size;
+  seconds.load = preparation.seconds().load;
+  seconds.build = preparation.seconds().build;
+}
+
 std::string to_json(const RunStatistics& s, const transport::IlluminationMaps* maps) {
   const long peak_kibibytes = usage_of_process().ru_maxrss;
   const render::BlockTally& tally = s.render.tally;
@@ -98,6 +105,7 @@ std::string to_json(const RunStatistics& s, const transport::IlluminationMaps* m
       {"photons", to_json(tally.counters)},
       {"map_photons", nullptr},
       {"peak_rss_bytes", static_cast<std::uint64_t>(peak_kibibytes) * 1024},
+      {"ranks", s.ranks},
       {"threads", s.threads},
       {"nan_samples", tally.faults.not_finite},
       {"saturated_samples", tally.faults.saturated},

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/checkpoints.h"
+#include "app/preparation.h"
 #include "description/settings.h"
 #include "render/render.h"
 #include "scene/scene.h"
@@ -27,9 +28,13 @@ struct RunStatistics {
   std::uint64_t samples_per_pixel = 0;
   std::uint64_t samples_before = 0;  ///< of them, those that a checkpoint came with
   Checkpoints::Written checkpoints;
-  int threads = 0;
-  double render_cpu_seconds = 0;  ///< processor time of the phase `render`
+  int ranks = 1;
+  int threads = 0;                ///< of this rank
+  double render_cpu_seconds = 0;  ///< processor time from `photons` to `render`, of this rank
   render::Statistics render;
+
+  /// What is known of the scene.
+  void note(const Preparation& preparation);
 };
 
 /// Processor time that the process has used so far, of all threads.

@@ -62,7 +62,9 @@ auto decode_file(const std::filesystem::path& path, const ReadOptions& options,
                  const Decode& decode) {
   const std::string file = path.string();
   try {
-    const std::vector<std::byte> bytes = file_bytes(file);
+    const auto content = file_content(options.files, path);
+    const std::vector<std::byte> read = content ? std::vector<std::byte>() : file_bytes(file);
+    const auto bytes = content ? std::as_bytes(std::span(*content)) : std::span(read);
     if (options.files) options.files->add(path, bytes);
     const Source source{file, bytes, options};
     return decode(source, content_format(source));

@@ -64,13 +64,13 @@ std::shared_ptr<const texture::Pyramid> ImageFiles::read(const std::filesystem::
                                                          InputFiles* files) {
   Entry& entry = read_[{file, options}];
   if (!entry.pyramid) {
-    const auto noted = files != nullptr ? std::make_shared<InputFiles>() : nullptr;
-    entry.pyramid =
-        std::make_shared<const texture::Pyramid>(picture_of(file, options, noted.get()));
-    entry.files = noted;
+    const std::size_t before = files != nullptr ? files->noted() : 0;
+    entry.pyramid = std::make_shared<const texture::Pyramid>(picture_of(file, options, files));
+    if (files != nullptr) entry.notes = files->noted_since(before);
+  } else if (files != nullptr) {
+    files->note_again(entry.notes);
   }
   if (!std::exchange(entry.is_used, true)) bytes_ += entry.pyramid->bytes();
-  if (files != nullptr && entry.files) files->add(*entry.files);
   return entry.pyramid;
 }
 

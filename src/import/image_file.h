@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "base/input_files.h"
 #include "texture/pyramid.h"
@@ -45,7 +46,7 @@ class ImageFiles {
  private:
   struct Entry {
     std::shared_ptr<const texture::Pyramid> pyramid;
-    std::shared_ptr<const InputFiles> files;
+    std::vector<InputFiles::Note> notes;
     bool is_used = false;  ///< by the present scene
   };
 

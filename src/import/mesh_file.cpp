@@ -29,13 +29,14 @@ std::shared_ptr<const Transform> upright(UpAxis up) {
 description::ObjectPtr MeshFiles::read(const std::filesystem::path& file,
                                        const MeshOptions& options, const MeshReading& reading) {
   Entry& entry = read_[{file, options}];
-  if (!entry.object) {
-    const auto noted = reading.files != nullptr ? std::make_shared<InputFiles>() : nullptr;
-    entry.object = read_object(file, options, {reading.warnings, reading.allow, noted.get()});
-    entry.files = noted;
-  }
   entry.is_used = true;
-  if (reading.files != nullptr && entry.files) reading.files->add(*entry.files);
+  if (entry.object) {
+    if (reading.files != nullptr) reading.files->note_again(entry.notes);
+    return entry.object;
+  }
+  const std::size_t before = reading.files != nullptr ? reading.files->noted() : 0;
+  entry.object = read_object(file, options, reading);
+  if (reading.files != nullptr) entry.notes = reading.files->noted_since(before);
   return entry.object;
 }
 

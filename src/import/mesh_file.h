@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/log.h"
 #include "description/object.h"
@@ -52,7 +53,7 @@ class MeshFiles {
  private:
   struct Entry {
     description::ObjectPtr object;
-    std::shared_ptr<const InputFiles> files;
+    std::vector<InputFiles::Note> notes;
     bool is_used = false;  ///< by the present scene
   };
   description::ObjectPtr read_object(const std::filesystem::path& file, const MeshOptions& options,

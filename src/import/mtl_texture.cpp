@@ -98,7 +98,7 @@ const MtlTexture* MtlTextures::take(MtlChannel channel) {
 TexturePtr MtlTextures::read(const MtlTexture* stated, const PictureOptions& options) const {
   if (!stated) return nullptr;
   const auto folder = std::filesystem::path(stated->where.file).parent_path();
-  const FoundFile file = find_file(folder, stated->stated, reading_.allow);
+  const FoundFile file = find_file(folder, stated->stated, reading_.allow, reading_.files);
   if (file.status != FoundFile::Status::found) {
     const bool missing = file.status == FoundFile::Status::missing;
     warn(*stated, missing ? "is not there" : "may not be read");

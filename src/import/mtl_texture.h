@@ -13,7 +13,7 @@ struct MtlReading {
   WarningLog* warnings = nullptr;
   ImageFiles* images = nullptr;
   AllowFile allow = {};
-  InputFiles* files = nullptr;  ///< notes the pictures; null: nobody wants to know
+  InputFiles* files = nullptr;  ///< notes the pictures, answers for the file system; may be null
 };
 
 /// The textures that the material states, as far as there are files for them: what is missing,

@@ -52,13 +52,13 @@ class MaterialLibrary {
   // `statement` is what follows mtllib: one file name that may hold blanks, or several.
   void add(const ObjName& statement) {
     const std::string whole = without_quotes(statement.text);
-    const FoundFile file = find_file(folder_, whole, options_.allow);
+    const FoundFile file = find_file(folder_, whole, options_.allow, options_.files);
     const std::vector<std::string> names = split_names(whole);
     if (file.status == FoundFile::Status::found || names.size() < 2) {
       return add_file(file, whole, statement.where);
     }
     for (const std::string& name : names) {
-      add_file(find_file(folder_, name, options_.allow), name, statement.where);
+      add_file(find_file(folder_, name, options_.allow, options_.files), name, statement.where);
     }
   }
 

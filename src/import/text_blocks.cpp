@@ -17,12 +17,19 @@ constexpr std::size_t block_size = std::size_t{1} << 20;
 constexpr std::string_view closing = "\n\n";
 constexpr std::size_t padding = closing.size() + 1;
 
+std::FILE* open(const std::filesystem::path& file, const InputFiles* files) {
+  const auto content = file_content(files, file);
+  if (!content) return std::fopen(file.c_str(), "rb");
+  // Opened for reading, it is only read.
+  return ::fmemopen(const_cast<char*>(content->data()), content->size(), "rb");
+}
+
 }  // namespace
 
 TextBlocks TextBlocks::of_file(const std::filesystem::path& file, InputFiles* files) {
   TextBlocks blocks;
   blocks.name_ = file.string();
-  blocks.file_.reset(std::fopen(file.c_str(), "rb"));
+  blocks.file_.reset(open(file, files));
   if (!blocks.file_) {
     const bool is_missing = errno == ENOENT;
     throw file_error(blocks.name_,

@@ -210,7 +210,10 @@ PhotometricWeb parse_ies(std::string_view text, const std::string& file) {
   return PhotometricWeb(table);
 }
 
-PhotometricWeb read_ies(const std::filesystem::path& file, InputFiles* files) {
+namespace {
+
+std::string read_text(const std::filesystem::path& file, const InputFiles* files) {
+  if (const auto content = file_content(files, file)) return std::string(*content);
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw file_error(file.string(), "the file cannot be read");
   constexpr std::uintmax_t most_bytes = 64 << 20;
@@ -218,7 +221,13 @@ PhotometricWeb read_ies(const std::filesystem::path& file, InputFiles* files) {
   if (std::filesystem::file_size(file, unknown) > most_bytes || unknown) {
     throw file_error(file.string(), "the file is too large for an IES profile");
   }
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+PhotometricWeb read_ies(const std::filesystem::path& file, InputFiles* files) {
+  const std::string text = read_text(file, files);
   if (files) files->add(file, std::as_bytes(std::span(text)));
   return parse_ies(text, file.string());
 }

@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Absolute, with links and ".." followed; empty when it cannot be known.
-fs::path real_path(const fs::path& path) {
+fs::path find_real_path(const fs::path& path) {
   std::error_code problem;
   const fs::path absolute = fs::absolute(path.empty() ? "." : path, problem);
   if (problem) return {};
@@ -45,10 +45,15 @@ std::string similar_file(const fs::path& missing) {
   return schema::did_you_mean(missing.filename().string(), views);
 }
 
-FolderGuard::FolderGuard(const fs::path& scene_folder, const std::vector<fs::path>& allowed)
-    : scene_folder_(scene_folder) {
+FolderGuard::FolderGuard(const fs::path& scene_folder, const std::vector<fs::path>& allowed,
+                         InputFiles* files)
+    : files_(files), scene_folder_(scene_folder) {
   roots_.push_back(real_path(scene_folder));
   for (const fs::path& path : allowed) roots_.push_back(real_path(path));
+}
+
+fs::path FolderGuard::real_path(const fs::path& path) const {
+  return file_answer(files_, "real place", path, [&path] { return find_real_path(path).string(); });
 }
 
 bool FolderGuard::allows(const fs::path& file) const {
@@ -68,7 +73,10 @@ fs::path FolderGuard::resolve(std::string_view written, const schema::Context& c
   for (const fs::path& root : roots_) {
     const fs::path path = root / fs::path(written);
     // Nothing is said about what exists where a scene must not look.
-    if (allows(path) && fs::is_regular_file(path, problem)) return real_path(path);
+    if (!allows(path)) continue;
+    const bool is_file = is_file_answer_yes(files_, "being a file", path,
+                                            [&] { return fs::is_regular_file(path, problem); });
+    if (is_file) return real_path(path);
   }
   const fs::path path = roots_.front() / fs::path(written);
   if (!allows(path)) {

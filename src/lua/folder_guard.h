@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/input_files.h"
 #include "schema/context.h"
 
 namespace lapidary::lua {
@@ -16,9 +17,9 @@ std::string similar_file(const std::filesystem::path& missing);
 /// was given, and no others: symbolic links and ".." are followed first.
 class FolderGuard : public schema::FileAccess {
  public:
-  /// `allowed` are folders or files.
+  /// `allowed` are folders or files. `files`, if not null, answers for the file system.
   FolderGuard(const std::filesystem::path& scene_folder,
-              const std::vector<std::filesystem::path>& allowed);
+              const std::vector<std::filesystem::path>& allowed, InputFiles* files = nullptr);
 
   /// The regular file that a scene calls `written`: relative to the scene's folder, else to an
   /// allowed folder.
@@ -32,6 +33,9 @@ class FolderGuard : public schema::FileAccess {
   std::string shown(const std::filesystem::path& file) const;
 
  private:
+  std::filesystem::path real_path(const std::filesystem::path& path) const;
+
+  InputFiles* files_;
   std::filesystem::path scene_folder_;        ///< as written
   std::vector<std::filesystem::path> roots_;  ///< canonical; the scene's folder first
 };

@@ -12,7 +12,9 @@
 namespace lapidary::lua {
 namespace {
 
-std::string read_text(const std::filesystem::path& file, const std::string& shown) {
+std::string read_text(const std::filesystem::path& file, const std::string& shown,
+                      const InputFiles* files) {
+  if (const auto content = file_content(files, file)) return std::string(*content);
   constexpr std::uintmax_t largest = std::uintmax_t{256} << 20;
   std::error_code problem;
   const auto size = std::filesystem::file_size(file, problem);
@@ -93,7 +95,7 @@ void Interpreter::rethrow(int status) {
 
 void Interpreter::push_chunk(lua_State* L, const std::filesystem::path& file,
                              const std::string& shown) {
-  std::string text = read_text(file, shown);
+  std::string text = read_text(file, shown, read_);
   if (read_) read_->add(file, std::as_bytes(std::span(text)));
   clean_start(text);
   chunk_files_.push_back(file);

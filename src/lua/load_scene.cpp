@@ -57,7 +57,8 @@ SceneDescription returned_scene(const schema::Value& value, const schema::CallSi
   return scene;
 }
 
-void check_exists(const fs::path& scene) {
+void check_exists(const fs::path& scene, const InputFiles* files) {
+  if (file_content(files, scene)) return;
   std::error_code problem;
   const fs::file_status status = fs::status(scene, problem);
   if (!fs::exists(status)) {
@@ -69,9 +70,9 @@ void check_exists(const fs::path& scene) {
 }  // namespace
 
 LoadedScene load_scene(const fs::path& scene, const LoadOptions& options) {
-  check_exists(scene);
+  check_exists(scene, options.files);
   Parameters parameters(options.settings);
-  const FolderGuard guard(scene.parent_path(), options.allowed);
+  const FolderGuard guard(scene.parent_path(), options.allowed, options.files);
   SceneFiles own;
   SceneFiles& files = options.kept != nullptr ? *options.kept : own;
   files.begin_scene();

@@ -95,7 +95,7 @@ std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, const S
 }
 
 BlockTally BlockRenderer::render(PassRange range, const SampleMap& map, film::Film& film,
-                                 ThreadPool& pool) const {
+                                 ThreadPool& pool, const std::atomic<bool>* given_up) const {
   BlockTally total;
   const std::vector<Pass> passes = prepare(range, map, pool, total);
   const int columns = (film.width() + tile_ - 1) / tile_;
@@ -103,6 +103,7 @@ BlockTally BlockRenderer::render(PassRange range, const SampleMap& map, film::Fi
   std::mutex mutex;
   const auto tiles = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   pool.parallel_for(tiles, 1, [&](IndexRange some) {
+    if (given_up != nullptr && *given_up) return;
     BlockTally tally;
     for (std::size_t tile = some.begin; tile < some.end; ++tile) {
       const int x0 = static_cast<int>(tile % static_cast<std::size_t>(columns)) * tile_;

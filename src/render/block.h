@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -81,9 +82,10 @@ class BlockRenderer {
   /// Null unless paths end in maps.
   const transport::IlluminationMaps* illumination() const { return maps_ ? &*maps_ : nullptr; }
 
-  /// Adds passes to a film of the picture's size; all of them in the epoch of the map.
-  BlockTally render(PassRange passes, const SampleMap& map, film::Film& film,
-                    ThreadPool& pool) const;
+  /// Adds passes to a film of the picture's size; all of them in the epoch of the map. Once
+  /// `given_up`, which may be null, is set, it returns soon and the film is worth nothing.
+  BlockTally render(PassRange passes, const SampleMap& map, film::Film& film, ThreadPool& pool,
+                    const std::atomic<bool>* given_up = nullptr) const;
   /// The same with one sample for every pixel.
   BlockTally render(PassRange passes, film::Film& film, ThreadPool& pool) const {
     return render(passes, SampleMap(), film, pool);

@@ -1,29 +1,18 @@
 #include "render/render.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "render/pace.h"
 
 namespace lapidary::render {
 namespace {
 
 constexpr std::uint32_t default_samples = 256;
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 transport::Interreflection interreflection(description::Integrator integrator) {
   return integrator == description::Integrator::path ? transport::Interreflection::full
@@ -58,106 +47,6 @@ FilterSampler filter_sampler(const description::FilterSettings& filter) {
   }
   return {FilterKind::blackman_harris, filter.radius.value_or(1.5)};
 }
-
-/// Keeps the state of one render between its blocks.
-class Run {
- public:
-  Run(const StopRules& rules, const Canvas& canvas)
-      : rules_(rules),
-        canvas_(canvas),
-        passes_before_(canvas.film().pass_count()),
-        noise_(canvas.film().noise()) {}
-
-  /// The passes to render next, which are fewer than a block where the samples asked for end;
-  /// none at the end.
-  PassRange next_passes() const {
-    const film::Film& film = canvas_.film();
-    const std::uint32_t from = rules_.only ? rules_.only->begin : 0;
-    const std::uint32_t begin = film.passes().first_missing(from);
-    const std::uint32_t end = begin + passes_per_block(film.width(), film.height());
-    const PassRange passes{begin, std::min(end, last_pass().value_or(end))};
-    return limit_is_met() ? PassRange() : passes;
-  }
-  bool is_whole_block(const PassRange& passes) const {
-    return is_of_whole_blocks(passes, canvas_.film().width(), canvas_.film().height());
-  }
-
-  void block_done(const BlockTally& tally) {
-    samples_ += tally.samples;
-    photons_ += tally.counters.photons_emitted;
-    last_ = watch_.seconds();
-    block_seconds_ = last_ - block_begin_;
-    noise_ = canvas_.picture().noise();
-  }
-  /// What was done between two blocks is no part of their time.
-  void begin_block() { block_begin_ = watch_.seconds(); }
-
-  Progress progress() const {
-    const auto samples = static_cast<double>(samples_);
-    std::optional<std::uint32_t> planned = rules_.samples;
-    if (rules_.only) planned = rules_.only->size();
-    return {.passes = canvas_.picture().pass_count(),
-            .passes_planned = planned,
-            .seconds = last_,
-            .samples_per_second = last_ > 0 ? samples / last_ : 0.0,
-            .noise = noise_,
-            .photons = photons_,
-            .seconds_left = seconds_left()};
-  }
-
-  double seconds() const { return watch_.seconds(); }
-  double noise() const { return noise_; }
-
-  /// Of a render that has nothing left to do, or no time to do it.
-  Ending ending() const {
-    const film::PassSet& passes = canvas_.picture().passes();
-    const std::uint32_t from = rules_.only ? rules_.only->begin : 0;
-    const bool has_samples = last_pass() && passes.first_missing(from) >= *last_pass();
-    const bool is_fine = rules_.noise && noise_ <= *rules_.noise;
-    return has_samples || is_fine ? Ending::complete : Ending::out_of_time;
-  }
-
- private:
-  std::optional<std::uint32_t> last_pass() const {
-    return rules_.only ? rules_.only->end : rules_.samples;
-  }
-
-  /// Whether noise or time say stop.
-  bool limit_is_met() const {
-    if (canvas_.film().passes().is_empty()) return false;
-    if (rules_.noise && noise_ <= *rules_.noise) return true;
-    // Half a block more or less: whichever comes closer to the time that was asked for.
-    return rules_.seconds && watch_.seconds() + 0.5 * block_seconds_ >= *rules_.seconds;
-  }
-
-  std::optional<double> seconds_left() const {
-    std::optional<double> left;
-    const auto consider = [&](double s) { left = std::max(0.0, left ? std::min(*left, s) : s); };
-    const auto passes = static_cast<double>(canvas_.picture().pass_count());
-    const double per_pass = last_ / (passes - static_cast<double>(passes_before_));
-    if (const auto end = last_pass()) {
-      const std::uint32_t begin = rules_.only ? rules_.only->begin : 0;
-      consider(per_pass * (static_cast<double>(*end - begin) - passes));
-    }
-    if (rules_.seconds) consider(*rules_.seconds - last_);
-    // The error of a mean falls with the square root of the number of samples.
-    if (rules_.noise && std::isfinite(noise_)) {
-      const double ratio = noise_ / *rules_.noise;
-      consider(per_pass * passes * (ratio * ratio - 1.0));
-    }
-    return left;
-  }
-
-  const StopRules& rules_;
-  const Canvas& canvas_;
-  std::uint64_t passes_before_;
-  Stopwatch watch_;
-  double last_ = 0;
-  double block_begin_ = 0;
-  double block_seconds_ = 0;
-  double noise_;
-  std::uint64_t samples_ = 0, photons_ = 0;
-};
 
 }  // namespace
 
@@ -241,28 +130,29 @@ void check_can_go_on(const Canvas& canvas, const StopRules& rules) {
 
 Statistics render(const BlockRenderer& renderer, const StopRules& rules, const Control& control,
                   Canvas& canvas, ThreadPool& pool) {
-  Run run(rules, canvas);
+  Pace pace(rules, canvas);
   Statistics statistics;
   bool is_stopped = false;
-  for (PassRange next = run.next_passes(); !next.is_empty(); next = run.next_passes()) {
+  for (PassRange next = pace.next_passes(); !next.is_empty(); next = pace.next_passes()) {
     if (control.stop != nullptr && *control.stop && !canvas.film().passes().is_empty()) {
       is_stopped = true;
       break;
     }
-    run.begin_block();
-    const bool is_whole = run.is_whole_block(next);
+    const double begin = pace.seconds();
+    const bool is_whole = pace.is_of_whole_blocks(next);
     const BlockTally tally =
         is_whole ? canvas.render(renderer, next, pool) : canvas.render_cut(renderer, next, pool);
     statistics.tally += tally;
-    run.block_done(tally);
-    const bool is_last = !is_whole || run.next_passes().is_empty();
+    // What is done between two blocks is no part of their time.
+    pace.block_done(tally, pace.seconds() - begin);
+    const bool is_last = !is_whole || pace.next_passes().is_empty();
     if (control.on_block && !is_last) control.on_block(canvas);
-    if (control.on_progress) control.on_progress(run.progress());
+    if (control.on_progress) control.on_progress(pace.progress());
     if (!is_whole) break;
   }
-  statistics.ending = is_stopped ? Ending::interrupted : run.ending();
-  statistics.seconds = run.seconds();
-  statistics.noise = run.noise();
+  statistics.ending = is_stopped ? Ending::interrupted : pace.ending();
+  statistics.seconds = pace.seconds();
+  statistics.noise = pace.noise();
   return statistics;
 }
 

@@ -157,6 +157,12 @@ std::uint64_t SamplePlan::first_pass(std::size_t epoch) {
   return std::uint64_t{first_epoch} << epoch;
 }
 
+std::uint64_t SamplePlan::epoch_end(std::uint32_t pass) {
+  std::uint64_t end = first_epoch;
+  while (pass >= end) end *= 2;
+  return end;
+}
+
 std::uint64_t SamplePlan::known_until() const {
   return first_pass(epochs_.size());
 }

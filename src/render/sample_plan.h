@@ -102,6 +102,8 @@ class SamplePlan {
   std::uint64_t next_decision() const;
   /// The pass that an epoch begins with.
   static std::uint64_t first_pass(std::size_t epoch);
+  /// The first pass behind the epoch that a pass is in, or behind those before all epochs.
+  static std::uint64_t epoch_end(std::uint32_t pass);
   /// Most epochs that 32 bits have passes for.
   static constexpr std::size_t most_epochs = 29;
 

@@ -1,10 +1,15 @@
 #include "base/input_files.h"
 
 #include <filesystem>
+#include <fstream>
 #include <random>
+#include <stdexcept>
 #include <string_view>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "base/error.h"
 
 namespace lapidary {
 namespace {
@@ -58,6 +63,58 @@ TEST(InputFiles, AreNamedFromAFolder) {
                 {"../other/b.obj", abc}, {"scene.lua", abc}, {"textures/a.png", empty}}));
   files.add(folder / "scene.lua", bytes("it was changed meanwhile"));
   EXPECT_EQ(files.relative_to(folder).size(), 4u);
+}
+
+/// A file of its own, gone at the end.
+class TextFile {
+ public:
+  explicit TextFile(const std::string& text) { std::ofstream(path_, std::ios::binary) << text; }
+  ~TextFile() { std::filesystem::remove(path_); }
+  TextFile(const TextFile&) = delete;
+  TextFile& operator=(const TextFile&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_ = std::filesystem::temp_directory_path() /
+                                ("lapidary_input_files_test_" + std::to_string(::getpid()));
+};
+
+TEST(InputFiles, StandForTheFileSystemElsewhere) {
+  const std::string text("a\0b\nc", 5);
+  InputFiles here;
+  FileAnswers answers;
+  std::filesystem::path name;
+  {
+    const TextFile file(text);
+    name = file.path();
+    EXPECT_EQ(here.content(name), std::nullopt);
+    EXPECT_EQ(here.answer("mood", name, [] { return "good"; }), "good");
+    EXPECT_EQ(here.answer("mood", name, [] { return "bad"; }), "good") << "asked once";
+    EXPECT_TRUE(is_file_answer_yes(&here, "being", name, [] { return true; }));
+    here.add(name, bytes(text));
+    here.relative_to(name.parent_path());
+    answers = here.answers();
+  }
+  EXPECT_THROW(here.answers(), Error) << "what is to be sent is read again";
+
+  InputFiles there(answers);
+  const auto nobody = []() -> std::string { throw std::logic_error("asked here"); };
+  EXPECT_EQ(there.answer("mood", name, nobody), "good");
+  EXPECT_TRUE(is_file_answer_yes(&there, "being", name, [] { return false; }));
+  EXPECT_EQ(there.content(name), text);
+  there.add(name, bytes(*there.content(name)));
+  EXPECT_EQ(there.relative_to(name.parent_path()), here.relative_to(name.parent_path()));
+  EXPECT_THROW(there.answer("weather", name, nobody), Error);
+  EXPECT_THROW(there.content("another"), Error);
+  there.forget_contents();
+  EXPECT_THROW(there.content(name), Error);
+  EXPECT_EQ(there.answer("mood", name, nobody), "good");
+}
+
+TEST(InputFiles, AreNotNeededToAsk) {
+  EXPECT_EQ(file_answer(nullptr, "mood", "x", [] { return "good"; }), "good");
+  EXPECT_FALSE(is_file_answer_yes(nullptr, "being", "x", [] { return false; }));
+  EXPECT_EQ(file_content(nullptr, "x"), std::nullopt);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ PAGE = """
 | 3 | `app` | |
 | 2 | `lua` | |
 | 2 | `image` | |
+| 2 | `distributed` | |
 | 2 | `preview` | *reserved*: to come |
 | 1 | `geometry` | |
 | 0 | `base` | |
@@ -33,7 +34,7 @@ class CheckLayering(unittest.TestCase):
             root = pathlib.Path(name)
             (root / "docs").mkdir()
             (root / "docs/architecture.md").write_text(PAGE)
-            for folder in ("app", "lua", "image", "geometry", "base", "math"):
+            for folder in ("app", "lua", "image", "distributed", "geometry", "base", "math"):
                 (root / "src" / folder).mkdir(parents=True)
             for file, text in files.items():
                 path = root / "src" / (file.replace("__", "/") + ".cpp")
@@ -84,6 +85,12 @@ class CheckLayering(unittest.TestCase):
     def test_allows_one_user_of_embree(self):
         header = "#include <embree3/rtcore.h>"
         self.assert_one(self.violations(geometry__a=header, geometry__b=header), "src/geometry/b.cpp")
+
+    def test_allows_one_user_of_mpi(self):
+        header = "#include <mpi.h>"
+        self.assert_one(self.violations(distributed__a=header, distributed__b=header),
+                        "src/distributed/b.cpp")
+        self.assert_one(self.violations(lua__a=header), "which only distributed/ may")
 
     def test_rejects_printing_and_ending_the_process(self):
         for code in ("std::cerr << 1;", 'std::printf("x");', 'fmt::print("x");', "std::exit(1);",
