@@ -84,8 +84,13 @@ return scene {
 }
 LUA
 
+without_seconds() {
+  python3 -c 'import re, sys
+data = open(sys.argv[1], "rb").read()
+sys.stdout.buffer.write(re.sub(rb"seconds\0double\0.{12}", b"", data, flags=re.S))' "$1"
+}
 same() {
-  cmp <(sed 's/seconds\x00double\x00.\{12\}//' "$1") <(sed 's/seconds\x00double\x00.\{12\}//' "$2") ||
+  cmp <(without_seconds "$1") <(without_seconds "$2") ||
     die "$1 and $2 are not the same"
   echo "slurm: $1 and $2 are the same"
 }
