@@ -205,7 +205,7 @@ class Stop(RanksTest):
                               "a.exr", "--samples", "16000000", "--progress", "json", "--threads",
                               "1")
         for _ in range(3):
-            process.stderr.readline()
+            self.wait_for_block(process)
         return process
 
     def assert_goes_on(self):
