@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "lua/load_scene.h"
+#include "bench_scene.h"
 #include "report.h"
-#include "scene/build.h"
 #include "transport/caustics.h"
 
 namespace {
@@ -15,23 +14,19 @@ using namespace lapidary;
 
 /// Passes of a scene of bench/scenes, at its own size.
 void measure(const std::string& name, std::string_view target) {
-  ThreadPool pool(1);
-  const auto description =
-      lua::load_scene(LAPIDARY_BENCH_SCENES "/" + name + ".lua", lua::LoadOptions()).scene;
-  const description::PictureSize size = description.render.size;
-  WarningLog warnings;
-  const scene::Scene scene = scene::build(description, {size, pool, warnings});
-  const transport::Caustics caustics(
-      scene,
-      {.max_depth = description.render.max_depth, .width = size.width, .height = size.height},
-      pool);
+  bench::BenchScene stage(name);
+  const transport::Caustics caustics(stage.scene,
+                                     {.max_depth = stage.description.render.max_depth,
+                                      .width = stage.size.width,
+                                      .height = stage.size.height},
+                                     stage.pool);
   constexpr std::uint32_t passes = 16;
   transport::Counters counters;
   const auto run = [&] {
     counters = {};
     for (std::uint32_t pass = 0; pass < passes; ++pass) {
       const Wavelengths wavelengths = Wavelengths::sample(Wavelengths::pass_stratum(pass, 0.0));
-      caustics.trace({pass, 1.0, static_cast<double>(pass)}, wavelengths, pool, counters);
+      caustics.trace({pass, 1.0, static_cast<double>(pass)}, wavelengths, stage.pool, counters);
     }
   };
   const double seconds = bench::best_cpu_seconds(5, run);

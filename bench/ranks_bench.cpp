@@ -3,11 +3,10 @@
 
 #include <string>
 
+#include "bench_scene.h"
 #include "distributed/film_message.h"
-#include "lua/load_scene.h"
 #include "render/render.h"
 #include "report.h"
-#include "scene/build.h"
 
 namespace {
 
@@ -15,18 +14,16 @@ using namespace lapidary;
 
 /// A block of four passes of a scene of bench/scenes, at its own size.
 void measure(const std::string& name, film::Layers layers, const std::string& what) {
-  ThreadPool pool(1);
-  const auto description =
-      lua::load_scene(LAPIDARY_BENCH_SCENES "/" + name + ".lua", lua::LoadOptions()).scene;
-  const description::PictureSize size = description.render.size;
-  WarningLog warnings;
-  const scene::Scene scene = scene::build(description, {size, pool, warnings});
-  const render::BlockRenderer renderer(scene, render::sample_settings(description.render),
-                                       {size.width, size.height}, pool);
-  const film::Film::Settings settings{
-      .width = size.width, .height = size.height, .layers = layers, .scene_size = scene.size()};
+  bench::BenchScene stage(name);
+  const render::BlockRenderer renderer(stage.scene,
+                                       render::sample_settings(stage.description.render),
+                                       {stage.size.width, stage.size.height}, stage.pool);
+  const film::Film::Settings settings{.width = stage.size.width,
+                                      .height = stage.size.height,
+                                      .layers = layers,
+                                      .scene_size = stage.scene.size()};
   distributed::RenderedRun run{{0, 4}, film::Film(settings), {}, 0};
-  renderer.render(run.run, run.film, pool);
+  renderer.render(run.run, run.film, stage.pool);
 
   const auto pixels = static_cast<double>(settings.pixels());
   distributed::Message message;

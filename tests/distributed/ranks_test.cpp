@@ -8,6 +8,7 @@
 #include "distributed/local_channel.h"
 #include "distributed/master.h"
 #include "distributed/worker.h"
+#include "render/same_canvas.h"
 #include "scene/tiny_scene.h"
 
 namespace lapidary::test {
@@ -85,15 +86,6 @@ render::Statistics go_on(SmallScene& small, int ranks, const render::StopRules& 
   const Others others(small, channels);
   Crew crew(*channels[0]);
   return distributed::render(crew, small.with(small.pool), rules, control, canvas);
-}
-
-void expect_same(const Canvas& a, const Canvas& b) {
-  EXPECT_EQ(a.film().state(), b.film().state());
-  EXPECT_EQ(a.picture().state(), b.picture().state());
-  ASSERT_EQ(a.plan().has_value(), b.plan().has_value());
-  if (a.plan()) {
-    EXPECT_EQ(a.plan()->epochs(), b.plan()->epochs());
-  }
 }
 
 TEST(Ranks, MakeThePictureOfOne) {

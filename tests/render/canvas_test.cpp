@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "render/render.h"
+#include "same_canvas.h"
 #include "scene/tiny_scene.h"
 #include "support/random.h"
 
@@ -54,15 +55,6 @@ struct SmallScene {
     return film;
   }
 };
-
-void expect_same(const Canvas& a, const Canvas& b) {
-  EXPECT_EQ(a.film().state(), b.film().state());
-  EXPECT_EQ(a.picture().state(), b.picture().state());
-  ASSERT_EQ(a.plan().has_value(), b.plan().has_value());
-  if (a.plan()) {
-    EXPECT_EQ(a.plan()->epochs(), b.plan()->epochs());
-  }
-}
 
 // Whatever the numbers of samples are at which a render stops and goes on, in the middle of blocks
 // and on both sides of decisions.
