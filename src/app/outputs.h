@@ -17,6 +17,7 @@ struct PictureFacts {
   double seconds = 0;  ///< of rendering
 };
 image::WriteOptions write_options(const render::Canvas& canvas, const PictureFacts& facts);
+
 /// The pictures that a command is to write; of a frame with #### for its number.
 std::vector<std::string> outputs_of(const RenderCommand& command);
 

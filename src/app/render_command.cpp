@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -185,6 +186,10 @@ void check_files(const RenderCommand& command, const Outputs& outputs) {
                      "name one that ends in .exr: -o part.exr");
   }
   outputs.check();
+  if (std::ranges::find(outputs.pictures(), command.preview_file) != outputs.pictures().end()) {
+    throw UsageError(fmt::format("--preview {} is the picture itself", command.preview_file),
+                     "the preview would replace it, and the checkpoint in it; give another name");
+  }
   if (!command.preview_file.empty()) image::check_writable(command.preview_file);
   if (!command.stats_file.empty()) image::OutputFile probe(command.stats_file);
 }
