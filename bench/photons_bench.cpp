@@ -25,7 +25,8 @@ void measure(const std::string& name, std::string_view target) {
   const auto run = [&] {
     counters = {};
     for (std::uint32_t pass = 0; pass < passes; ++pass) {
-      const Wavelengths wavelengths = Wavelengths::sample(Wavelengths::pass_stratum(pass, 0.0));
+      const Heroes wavelengths =
+          every_hero(Wavelengths::sample(Wavelengths::pass_stratum(pass, 0.0)));
       caustics.trace({pass, 1.0, static_cast<double>(pass)}, wavelengths, stage.pool, counters);
     }
   };

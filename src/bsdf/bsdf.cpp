@@ -70,10 +70,10 @@ Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carri
                 const Grain& grain) {
   InterfaceIndices used = indices;
   if (carried == Carried::hero) {
-    used.above.fill(indices.above[0]);
-    used.below.fill(indices.below[0]);
+    used.above.fill(indices.above[indices.hero]);
+    used.below.fill(indices.below[indices.hero]);
   }
-  const RelativeIndex index(used.above, used.below);
+  const RelativeIndex index(used);
   if (roughness < smallest_roughness || std::abs(index.hero(1.0) - 1.0) < smallest_index_step)
     return SmoothDielectric{index};
   return RoughDielectric(index, of_alpha(grain, alpha_from_roughness(roughness)));
@@ -81,8 +81,9 @@ Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carri
 
 Bsdf make_bsdf(const Glass& glass, const RefractiveIndex& outside, const Place& place,
                Carried carried) {
-  return make_glass({outside.at(place.wavelengths), glass.index.at(place.wavelengths)},
-                    place.share(glass.roughness), carried, place.grain(glass.brushing));
+  const Surroundings around{outside, glass.index, carried};
+  return make_glass(around.indices(place.wavelengths), place.share(glass.roughness), carried,
+                    place.grain(glass.brushing));
 }
 
 }  // namespace lapidary::bsdf

@@ -63,12 +63,6 @@ Bsdf make_bsdf(const Metal& metal, const Place& place);
 Bsdf make_bsdf(const Phong& phong, const Place& place);
 Bsdf make_bsdf(const ThinGlass& glass, const Place& place);
 
-/// The refractive indices at a path's wavelengths on both sides of a surface.
-struct InterfaceIndices {
-  std::array<double, 4> above;  ///< the side that z points to
-  std::array<double, 4> below;
-};
-
 /// Glass from the indices that the caller has looked up, maybe once for many paths. Only the hero's
 /// indices count when that is all the path carries. Of `grain` the alpha does not count.
 Bsdf make_glass(const InterfaceIndices& indices, double roughness, Carried carried,
@@ -83,6 +77,10 @@ struct Surroundings {
   const RefractiveIndex& above;  ///< the side that z points to
   const RefractiveIndex& below;
   Carried carried = Carried::all;
+
+  InterfaceIndices indices(const Wavelengths& wavelengths) const {
+    return {above.at(wavelengths), below.at(wavelengths), wavelengths.hero()};
+  }
 };
 
 Bsdf make_bsdf(const Principled& principled, const Place& place, const Surroundings& around);

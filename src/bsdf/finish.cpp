@@ -18,9 +18,8 @@ struct Maker {
   Bsdf operator()(const Black& black) const { return black; }
 
   Bsdf operator()(const Glass& glass) const {
-    const Wavelengths& wavelengths = place.wavelengths;
-    return make_glass({around.above.at(wavelengths), around.below.at(wavelengths)},
-                      place.share(glass.roughness), around.carried, place.grain(glass.brushing));
+    return make_glass(around.indices(place.wavelengths), place.share(glass.roughness),
+                      around.carried, place.grain(glass.brushing));
   }
 
   Bsdf operator()(const Velvet& velvet) const {

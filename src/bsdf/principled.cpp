@@ -62,9 +62,7 @@ struct Maker {
   }
 
   Bsdf glass() const {
-    const Wavelengths& wavelengths = place.wavelengths;
-    return make_glass({around.above.at(wavelengths), around.below.at(wavelengths)}, roughness,
-                      around.carried, grain);
+    return make_glass(around.indices(place.wavelengths), roughness, around.carried, grain);
   }
 
   Bsdf base() const {

@@ -16,7 +16,7 @@ enum class Lobe { diffuse, glossy, specular };
 /// known without chance, by `straight_through`, and it counts as not scattered.
 enum class Side { reflected, transmitted, straight };
 
-/// The wavelengths that a path still carries: all four, or the hero (index 0) alone.
+/// The wavelengths that a path still carries: all four, or the hero alone.
 enum class Carried { all, hero };
 
 /// The BSDF times the cosine for one pair of directions, with the density of `sample`.

@@ -2,28 +2,28 @@
 
 namespace lapidary::bsdf {
 
-RelativeIndex::RelativeIndex(const std::array<double, 4>& above, const std::array<double, 4>& below)
-    : dispersive_(false) {
+RelativeIndex::RelativeIndex(const InterfaceIndices& indices) : hero_(indices.hero) {
   for (std::size_t i = 0; i < 4; ++i) {
-    below_over_above_[i] = below[i] / above[i];
-    above_over_below_[i] = above[i] / below[i];
+    below_over_above_[i] = indices.below[i] / indices.above[i];
+    above_over_below_[i] = indices.above[i] / indices.below[i];
     dispersive_ = dispersive_ || below_over_above_[i] != below_over_above_[0];
   }
 }
 
 RelativeIndex::Split RelativeIndex::split(double cos_incident, double z) const {
-  const auto& eta = z > 0.0 ? below_over_above_ : above_over_below_;
-  const Refraction hero = refract(cos_incident, eta[0]);
+  const std::array<double, 4>& eta = beyond(z);
+  const Refraction hero = refract(cos_incident, eta[hero_]);
   const double transmittance = 1.0 - hero.reflectance;
   SampledSpectrum reflectance(static_cast<float>(hero.reflectance));
   double mean = hero.reflectance;
   if (dispersive_) {
-    for (std::size_t i = 1; i < 4; ++i) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (i == hero_) continue;
       const double f = refract(cos_incident, eta[i]).reflectance;
       reflectance.set(i, static_cast<float>(f));
       mean += f;
     }
-    mean = 0.25 * (mean);
+    mean *= 0.25;
   }
   return {reflectance, transmittance, hero.cos_refracted, mean / (mean + transmittance)};
 }

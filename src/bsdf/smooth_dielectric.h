@@ -8,26 +8,33 @@
 
 namespace lapidary::bsdf {
 
+/// The refractive indices at a path's wavelengths on both sides of a surface.
+struct InterfaceIndices {
+  std::array<double, 4> above;  ///< the side that z points to
+  std::array<double, 4> below;
+  std::size_t hero = 0;  ///< which wavelength is
+};
+
 /// Indices below the surface (z < 0) over those above it at the path's wavelengths.
 ///
 /// Reflection keeps all wavelengths, each with its own Fresnel reflectance F_i; refraction at a
 /// dispersive interface keeps the hero. The chance of reflection,
-///   q = m / (m + 1 - F_0), m the mean of the F_i,
-/// gives both ways the same total weight, m + 1 - F_0 <= 1.75 per wavelength, which is 1 without
-/// dispersion, and never refracts under total reflection of the hero.
+///   q = m / (m + 1 - F_h), m the mean of the F_i,
+/// h the hero, gives both ways the same total weight, m + 1 - F_h <= 1.75 per wavelength, which is
+/// 1 without dispersion, and never refracts under total reflection of the hero.
 class RelativeIndex {
  public:
-  RelativeIndex(const std::array<double, 4>& above, const std::array<double, 4>& below);
+  explicit RelativeIndex(const InterfaceIndices& indices);
 
   /// Index beyond over index before, at the hero wavelength, for a direction with this z.
-  double hero(double z) const { return z > 0.0 ? below_over_above_[0] : above_over_below_[0]; }
+  double hero(double z) const { return beyond(z)[hero_]; }
   bool dispersive() const { return dispersive_; }
   Carried carried_by_refraction() const { return dispersive_ ? Carried::hero : Carried::all; }
 
   /// What happens at a smooth facet.
   struct Split {
     SampledSpectrum reflectance;  ///< F_i
-    double transmittance = 0;     ///< 1 - F_0
+    double transmittance = 0;     ///< 1 - F_h
     double cos_refracted = 0;     ///< of the hero
     double chance_to_reflect = 1;
   };
@@ -38,13 +45,18 @@ class RelativeIndex {
   /// the square of the index as the solid angle does: Veach 1997, section 5.2.
   SampledSpectrum refracted(double weight, double eta, Mode mode) const {
     const auto scaled = static_cast<float>(mode == Mode::radiance ? weight / (eta * eta) : weight);
-    return dispersive_ ? SampledSpectrum(4.0f * scaled, 0, 0, 0) : SampledSpectrum(scaled);
+    return dispersive_ ? SampledSpectrum::only(hero_, 4.0f * scaled) : SampledSpectrum(scaled);
   }
 
  private:
+  const std::array<double, 4>& beyond(double z) const {
+    return z > 0.0 ? below_over_above_ : above_over_below_;
+  }
+
   std::array<double, 4> below_over_above_;
   std::array<double, 4> above_over_below_;
-  bool dispersive_;
+  std::size_t hero_;
+  bool dispersive_ = false;
 };
 
 /// The polished boundary of two transparent media: a specular reflection and a specular refraction.

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <vector>
 
+#include "base/mix_bits.h"
 #include "sampling/sobol.h"
 
 namespace lapidary::render {
@@ -12,12 +13,21 @@ namespace {
 // Numbers that all pixels of a pass share (`pass_sample`).
 constexpr std::uint32_t wavelength_dimension = 0;
 
+/// Which wavelength leads the `nth` sample of a pixel in a pass. Four samples have one each, and so
+/// have the first ones of every four pixels in a square, in an order by chance: where glass splits
+/// colours, neighbours have different ones.
+std::size_t hero_of(std::uint32_t x, std::uint32_t y, std::uint32_t nth, std::uint64_t seed) {
+  const std::uint64_t square = std::uint64_t{y / 2} << 32 | x / 2;
+  const std::uint64_t order = mix_bits(square ^ mix_bits(seed)) % 4;
+  return (((2 * (y % 2) + x % 2) ^ order) + nth) % 4;
+}
+
 }  // namespace
 
 /// What all pixels of a pass share: photons and camera paths can only meet at the same wavelengths.
 struct BlockRenderer::Pass {
   std::uint32_t index;
-  Wavelengths wavelengths;
+  Heroes wavelengths;
   camera::Cone cone;  ///< of a pixel
   std::optional<transport::CausticPass> caustics;
 };
@@ -42,11 +52,10 @@ BlockRenderer::BlockRenderer(const scene::Scene& scene, const SampleSettings& se
   map_tracer_.emplace(scene, *maps_, settings.path.max_depth);
 }
 
-film::PixelSample BlockRenderer::sample_pixel(Vec2d size, int x, int y, const Pass& pass,
-                                              std::uint32_t number,
+film::PixelSample BlockRenderer::sample_pixel(Vec2d size, const Sample& sample, const Pass& pass,
                                               transport::Counters& counters) const {
-  const PixelSampler points(settings_.seed, static_cast<std::uint32_t>(x),
-                            static_cast<std::uint32_t>(y), number);
+  const auto [x, y, number, nth] = sample;
+  const PixelSampler points(settings_.seed, x, y, number);
   const auto u = points.block(0);
   const Vec2d offset = settings_.filter.sample({u[0], u[1]});
   const Vec2d film{(x + 0.5 + offset.x) / size.x, (y + 0.5 + offset.y) / size.y};
@@ -54,12 +63,13 @@ film::PixelSample BlockRenderer::sample_pixel(Vec2d size, int x, int y, const Pa
   if (!ray) return {};
 
   transport::FirstSurface first;
-  const transport::SampleContext context{pass.wavelengths, points, counters, pass.cone,
+  const Wavelengths& wavelengths = pass.wavelengths[hero_of(x, y, nth, settings_.seed)];
+  const transport::SampleContext context{wavelengths, points, counters, pass.cone,
                                          pass.caustics ? &*pass.caustics : nullptr};
   const SampledSpectrum L = map_tracer_ ? map_tracer_->radiance(*ray, context, first)
                                         : tracer_.radiance(*ray, context, first);
-  return {pass.wavelengths.to_rgb(L), first.albedo, Vec3f(first.normal),
-          static_cast<float>(first.depth), first.object};
+  return {wavelengths.to_rgb(L), first.albedo, Vec3f(first.normal), static_cast<float>(first.depth),
+          first.object};
 }
 
 film::PixelSums BlockRenderer::sum_pixel(int x, int y, std::span<const Pass> passes,
@@ -69,8 +79,10 @@ film::PixelSums BlockRenderer::sum_pixel(int x, int y, std::span<const Pass> pas
   film::PixelSums sums;
   for (const Pass& pass : passes) {
     const auto [first, count] = map.at(x, y, pass.index);
-    for (std::uint32_t i = first; i < first + count; ++i) {
-      film.add(sample_pixel(size, x, y, pass, i, tally.counters), sums, tally.faults);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Sample sample{static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), first + i,
+                          i};
+      film.add(sample_pixel(size, sample, pass, tally.counters), sums, tally.faults);
     }
     tally.samples += count;
   }
@@ -82,7 +94,8 @@ std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, const S
   const double rotation = pass_sample(settings_.seed, 0, wavelength_dimension);
   std::vector<Pass> passes;
   for (std::uint32_t p = range.begin; p < range.end; ++p) {
-    const auto wavelengths = Wavelengths::sample(Wavelengths::pass_stratum(p, rotation));
+    const Heroes wavelengths =
+        every_hero(Wavelengths::sample(Wavelengths::pass_stratum(p, rotation)));
     passes.push_back({p, wavelengths, cone_, std::nullopt});
     if (caustics_.state() == transport::Caustics::State::active) {
       passes.back().caustics = caustics_.trace({p, map.photons(), map.photons_before(p)},

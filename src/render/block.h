@@ -97,7 +97,13 @@ class BlockRenderer {
                             BlockTally& tally) const;
   film::PixelSums sum_pixel(int x, int y, std::span<const Pass> passes, const SampleMap& map,
                             const film::Film& film, BlockTally& tally) const;
-  film::PixelSample sample_pixel(Vec2d size, int x, int y, const Pass& pass, std::uint32_t number,
+  /// A sample of a pixel: its number there, and which one it is in its pass.
+  struct Sample {
+    std::uint32_t x, y;
+    std::uint32_t number;
+    std::uint32_t nth_of_pass;
+  };
+  film::PixelSample sample_pixel(Vec2d size, const Sample& sample, const Pass& pass,
                                  transport::Counters& counters) const;
 
   const scene::Scene& scene_;

@@ -18,6 +18,12 @@ class SampledSpectrum {
   explicit SampledSpectrum(float value) : v_{value, value, value, value} {}
   SampledSpectrum(float a, float b, float c, float d) : v_{a, b, c, d} {}
   explicit SampledSpectrum(Vector v) : v_(v) {}
+  /// `value` at wavelength i, 0 at the others.
+  static SampledSpectrum only(std::size_t i, float value) {
+    SampledSpectrum alone;
+    alone.set(i, value);
+    return alone;
+  }
 
   float operator[](std::size_t i) const { return v_[i]; }
   void set(std::size_t i, float value) { v_[i] = value; }

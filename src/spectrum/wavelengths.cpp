@@ -53,6 +53,18 @@ Wavelengths Wavelengths::sample(double u) {
   return w;
 }
 
+Wavelengths Wavelengths::led_by(std::size_t hero) const {
+  assert(hero < SampledSpectrum::size);
+  Wavelengths led = *this;
+  led.hero_ = hero;
+  return led;
+}
+
+Heroes every_hero(const Wavelengths& wavelengths) {
+  return {wavelengths.led_by(0), wavelengths.led_by(1), wavelengths.led_by(2),
+          wavelengths.led_by(3)};
+}
+
 double Wavelengths::pass_stratum(std::uint64_t pass, double rotation) {
   assert(rotation >= 0.0 && rotation < 1.0);
   // The place within a quarter is the radical inverse of the pass: a block of 2^m passes has one in

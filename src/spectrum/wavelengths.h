@@ -14,12 +14,13 @@ inline constexpr double lambda_max = 830.0;  ///< nm
 /// The four wavelengths that all paths of one pass share, and everything that depends on them
 /// alone, so that a path only multiplies.
 ///
-/// Index 0 is the hero, which a dispersive interface keeps; a path that loses the others carries
-/// on with weight `hero_only()`.
+/// One of them, the hero, is what a dispersive interface keeps; a path that loses the others
+/// carries on with weight `hero_only()`. Each of the four has to be the hero of as many paths, and
+/// those paths as independent of the choice as of any other.
 class Wavelengths {
  public:
-  /// `u` in [0, 1): the hero follows a density shaped like the eye's response, the other three are
-  /// rotated by quarters of the unit interval before the same warp.
+  /// `u` in [0, 1): the first, which is the hero, follows a density shaped like the eye's response,
+  /// the other three are rotated by quarters of the unit interval before the same warp.
   ///
   /// Accuracy of the mean of `to_rgb` over N values from `pass_stratum`, relative to the largest
   /// component, as root mean square over sixteen spectra (D65 on nine RGB reflectances, gold and
@@ -31,6 +32,10 @@ class Wavelengths {
   /// u will not do: four of them, a quarter turn apart, give the same four wavelengths.)
   /// `rotation` in [0, 1), say from the seed, turns all of them.
   static double pass_stratum(std::uint64_t pass, double rotation);
+
+  /// The same four with another hero.
+  Wavelengths led_by(std::size_t hero) const;
+  std::size_t hero() const { return hero_; }
 
   double lambda(std::size_t i) const { return lambda_[i]; }  ///< nm
   double pdf(std::size_t i) const { return pdf_[i]; }        ///< per nm
@@ -54,8 +59,8 @@ class Wavelengths {
   /// `Spectrum::illuminant(rgb)` here.
   SampledSpectrum illuminant(Rgb rgb) const { return reflectance(rgb) * d65_; }
 
-  /// Multiplies a path that goes on with the hero wavelength alone: (4, 0, 0, 0).
-  static SampledSpectrum hero_only() { return {4, 0, 0, 0}; }
+  /// Multiplies a path that goes on with the hero wavelength alone: 4 there, 0 elsewhere.
+  SampledSpectrum hero_only() const { return SampledSpectrum::only(hero_, 4.0f); }
 
  private:
   std::array<double, 4> lambda_{};
@@ -63,6 +68,11 @@ class Wavelengths {
   std::array<SampledSpectrum, 3> rgb_weight_;
   std::array<SampledSpectrum, 3> rgb_basis_;
   SampledSpectrum d65_;
+  std::size_t hero_ = 0;
 };
+
+/// Wavelengths of a pass, led by each of the four in turn.
+using Heroes = std::array<Wavelengths, SampledSpectrum::size>;
+Heroes every_hero(const Wavelengths& wavelengths);
 
 }  // namespace lapidary

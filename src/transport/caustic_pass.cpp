@@ -24,7 +24,9 @@ SampledSpectrum gather(const CausticPass& pass, const CausticLayer& layer, const
   const double area = photon_area(pass, at.width);
   const auto kernel = 2.0 / (pi * radius_squared * pass.emitted);
   layer.map.for_each_near(vertex.surface.p, radius, [&](const Photon& photon, double d2) {
-    if (photon.depth > at.depth_left) return;
+    // Those of other wavelengths than a path that has lost some are for other paths.
+    const SampledSpectrum carried = at.throughput * photon.power;
+    if (photon.depth > at.depth_left || carried.is_zero()) return;
     const Vec3d wi_world(photon.wi);
     const double cos_geometric = std::abs(dot(ng, wi_world));
     // What lies on the other side of a thin wall stays there.
@@ -39,10 +41,8 @@ SampledSpectrum gather(const CausticPass& pass, const CausticLayer& layer, const
     if (at.method == CausticMethod::automatic) {
       weight *= share_of_photon(photon, f.pdf / cos_geometric, area);
     }
-    // Each of two that carry the hero alone counts it four times.
-    if (at.carried == bsdf::Carried::hero && photon.carried == bsdf::Carried::hero) weight *= 0.25;
     const SampledSpectrum given =
-        f.f_cos * photon.power * static_cast<float>(weight * (1.0 - d2 / radius_squared));
+        f.f_cos * carried * static_cast<float>(weight * (1.0 - d2 / radius_squared));
     sum += given;
     if (at.gathered != nullptr) {
       at.gathered->push_back({photon.number, given.average() * static_cast<float>(kernel)});

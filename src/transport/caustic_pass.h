@@ -57,14 +57,15 @@ inline double share_of_chance(const WideTurn& turn, double density) {
 /// Gathering at one vertex of a path.
 struct Gather {
   const Vertex& vertex;
-  double width = 0;    ///< of the camera's cone there
-  int depth_left = 0;  ///< scattering events that a photon may have behind it
-  bsdf::Carried carried = bsdf::Carried::all;
+  double width = 0;                  ///< of the camera's cone there
+  int depth_left = 0;                ///< scattering events that a photon may have behind it
+  SampledSpectrum throughput{1.0f};  ///< of the path so far
   CausticMethod method = CausticMethod::automatic;
   std::vector<GatheredPhoton>* gathered = nullptr;  ///< where to note what each photon gave
 };
 
-/// The radiance that photons near the vertex scatter along the path. The kernel is Epanechnikov's,
+/// What the radiance that photons near the vertex scatter along the path is worth at its start. The
+/// kernel is Epanechnikov's,
 /// as wide as the pass says. Source: Jensen 2001; Knaus & Zwicker 2011, "Progressive Photon
 /// Mapping: A Probabilistic Approach".
 SampledSpectrum gather(const CausticPass& pass, const Gather& at);

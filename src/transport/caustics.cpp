@@ -34,8 +34,8 @@ constexpr double small_radius = 1.5;
 /// Of the mean radiance of a picture, the error that nobody minds where it is dark.
 constexpr double tolerated_share = 0.1;
 
-const Wavelengths& probing_wavelengths() {
-  static const Wavelengths wavelengths = Wavelengths::sample(0.5);
+const Heroes& probing_wavelengths() {
+  static const Heroes wavelengths = every_hero(Wavelengths::sample(0.5));
   return wavelengths;
 }
 
@@ -44,14 +44,15 @@ Vec3d origin_of(const scene::Scene& scene) {
   return box.empty() ? Vec3d() : box.center();
 }
 
-/// A path into the small picture, at its pixel `index`, and what it needs.
+/// A path into the small picture, the `number`-th at its pixel `index`, and what it needs.
 class SmallSample {
  public:
-  SmallSample(const Caustics::Settings& settings, std::size_t index, std::uint32_t pass)
+  SmallSample(const Caustics::Settings& settings, std::size_t index, std::uint32_t number)
       : settings_(settings),
         x_(static_cast<std::uint32_t>(index % small_side)),
         y_(static_cast<std::uint32_t>(index / small_side)),
-        points_(settings.seed, x_, y_, pass) {}
+        wavelengths_(probing_wavelengths()[number % SampledSpectrum::size]),
+        points_(settings.seed, x_, y_, probing_pass + number) {}
 
   std::optional<geometry::Ray> ray(const camera::Camera& camera) const {
     const Block8 u = points_.block(0);
@@ -61,12 +62,13 @@ class SmallSample {
   /// Widths are those of the picture's own pixels.
   SampleContext context(const camera::Camera& camera, Counters& counters) const {
     const Vec2d size{static_cast<double>(settings_.width), static_cast<double>(settings_.height)};
-    return {probing_wavelengths(), points_, counters, camera::pixel_cone(camera, size)};
+    return {wavelengths_, points_, counters, camera::pixel_cone(camera, size)};
   }
 
  private:
   const Caustics::Settings& settings_;
   std::uint32_t x_, y_;
+  const Wavelengths& wavelengths_;
   PixelSampler points_;
 };
 
@@ -132,7 +134,7 @@ bool Caustics::measure_widths(ThreadPool& pool) {
   pool.parallel_for(small_side, 1, [&](IndexRange rows) {
     Counters counters;
     for (std::size_t i = rows.begin * small_side; i < rows.end * small_side; ++i) {
-      const SmallSample sample(settings_, i, probing_pass);
+      const SmallSample sample(settings_, i, 0);
       const auto ray = sample.ray(scene_.camera());
       if (!ray) continue;
       const auto place = tracer.first_wide(*ray, sample.context(scene_.camera(), counters));
@@ -160,7 +162,7 @@ Caustics::SmallPicture::Pixel Caustics::SmallPicture::render(const Caustics& cau
   Pixel pixel;
   double sum = 0.0, squares = 0.0;
   for (std::uint32_t i = 0; i < small_samples; ++i) {
-    const SmallSample sample(caustics.settings_, index, probing_pass + i);
+    const SmallSample sample(caustics.settings_, index, i);
     const auto ray = sample.ray(caustics.scene_.camera());
     if (!ray) continue;
     SampleContext context = sample.context(caustics.scene_.camera(), counters);
@@ -241,7 +243,7 @@ Caustics::Judgement Caustics::judge(Yield yield, std::uint32_t count, ThreadPool
 }
 
 bool Caustics::learn(ThreadPool& pool) {
-  const Wavelengths& wavelengths = probing_wavelengths();
+  const Heroes& wavelengths = probing_wavelengths();
   std::uint32_t pass = probing_pass;
   const double pixels = double(settings_.width) * double(settings_.height);
   // Of the order of a pass, and no more than a grid can learn from.
@@ -281,8 +283,8 @@ void Caustics::choose_number(const Judgement& judgement) {
   share_ = {per_pixel * relative_cost, error > 0.0 ? error / (error + paths) : 0.0};
 }
 
-Caustics::Yield Caustics::emit(std::uint32_t pass, std::uint32_t count,
-                               const Wavelengths& wavelengths, ThreadPool& pool) const {
+Caustics::Yield Caustics::emit(std::uint32_t pass, std::uint32_t count, const Heroes& wavelengths,
+                               ThreadPool& pool) const {
   const Vec3d origin = origin_of(scene_);
   std::vector<Yield> parts((count + chunk - 1) / chunk);
   pool.parallel_for(parts.size(), 1, [&](IndexRange some) {
@@ -292,8 +294,9 @@ Caustics::Yield Caustics::emit(std::uint32_t pass, std::uint32_t count,
       for (std::size_t i = part * chunk; i < end; ++i) {
         const std::size_t before = mine.photons.size();
         const auto number = static_cast<std::uint32_t>(i);
-        const auto drawn = tracer_.trace({settings_.seed, pass, number}, wavelengths, origin,
-                                         mine.photons, mine.counters);
+        const Wavelengths& led = wavelengths[number % SampledSpectrum::size];
+        const auto drawn =
+            tracer_.trace({settings_.seed, pass, number}, led, origin, mine.photons, mine.counters);
         if (mine.photons.size() > before) mine.useful.push_back({number, *drawn});
       }
     }
@@ -326,7 +329,7 @@ CausticPass Caustics::pass_of(Yield yield, std::uint32_t count, double radius_pe
           layer(std::move(diffused), diffused_radius * radius_per_width)};
 }
 
-CausticPass Caustics::trace(const Pass& pass, const Wavelengths& wavelengths, ThreadPool& pool,
+CausticPass Caustics::trace(const Pass& pass, const Heroes& wavelengths, ThreadPool& pool,
                             Counters& counters) const {
   const auto count =
       static_cast<std::uint32_t>(std::min(pass.photons * photons_per_pass_, most_per_pass_));

@@ -52,9 +52,10 @@ class Caustics {
     double photons = 1;
     double photons_before = 0;  ///< of all passes before it: the more, the smaller the radius
   };
-  /// The photons of one pass, with its wavelengths. Must be active. The same bits for any number of
+  /// The photons of one pass, with its wavelengths, of which each leads as many: paths from the
+  /// camera have to be led by all four alike, too. Must be active. The same bits for any number of
   /// threads.
-  CausticPass trace(const Pass& pass, const Wavelengths& wavelengths, ThreadPool& pool,
+  CausticPass trace(const Pass& pass, const Heroes& wavelengths, ThreadPool& pool,
                     Counters& counters) const;
   /// What the photons of a pass are beside one camera sample in every pixel.
   struct Share {
@@ -74,7 +75,7 @@ class Caustics {
     std::vector<Useful> useful;  ///< by ascending number
     Counters counters;
   };
-  Yield emit(std::uint32_t pass, std::uint32_t count, const Wavelengths& wavelengths,
+  Yield emit(std::uint32_t pass, std::uint32_t count, const Heroes& wavelengths,
              ThreadPool& pool) const;
   State prepare(ThreadPool& pool);
   bool measure_widths(ThreadPool& pool);

@@ -62,16 +62,9 @@ void Path::add_photons(const Vertex& vertex) {
   const bool gathers =
       fixed_.caustics == CausticMethod::automatic || fixed_.caustics == CausticMethod::photons;
   if (!gathers || wide_ > 0) return;
-  std::vector<GatheredPhoton>* const noted = context.gathered;
-  const std::size_t before = noted != nullptr ? noted->size() : 0;
-  L_ += beta_ * gather(*context.caustics,
-                       {vertex, walk_.cone().width, fixed_.settings.max_depth - walk_.depth() - 1,
-                        walk_.carried(), fixed_.caustics, noted});
-  if (noted == nullptr) return;
-  for (auto photon = noted->begin() + static_cast<std::ptrdiff_t>(before); photon != noted->end();
-       ++photon) {
-    photon->radiance *= beta_.average();
-  }
+  L_ += gather(*context.caustics,
+               {vertex, walk_.cone().width, fixed_.settings.max_depth - walk_.depth() - 1, beta_,
+                fixed_.caustics, context.gathered});
 }
 
 bool Path::scatter(const Vertex& vertex, const VertexPoints& points, bool is_narrow) {

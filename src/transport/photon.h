@@ -2,7 +2,6 @@
 
 #include <cstdint>
 
-#include "bsdf/scattering.h"
 #include "math/vec.h"
 #include "spectrum/sampled_spectrum.h"
 
@@ -16,8 +15,9 @@ enum class Course : std::uint8_t {
 
 /// Light that a caustic's path brought to a surface that scatters widely.
 struct Photon {
-  SampledSpectrum
-      power;       ///< [W/nm] of one of the photons of a pass, before that is divided by them
+  /// [W/nm] of one of the photons of a pass, before that is divided by them. Behind what disperses
+  /// it is the hero's, which other photons of the pass do not share, counted four times.
+  SampledSpectrum power;
   Vec3f position;  ///< from the origin of its map
   Vec3f wi;        ///< unit, back where it came from
   Vec3f normal;    ///< unit, geometric, on the side of `wi`
@@ -27,7 +27,6 @@ struct Photon {
   float density = 0;
   std::uint32_t number = 0;  ///< of the emission it comes from, in its pass
   std::uint16_t depth = 0;   ///< scattering events between the light and here
-  bsdf::Carried carried = bsdf::Carried::all;
   Course course = Course::focused;
 };
 

@@ -178,7 +178,7 @@ std::optional<PhotonEmitter::Origin> PhotonTracer::trace(const Number& number,
     const Vec3d wi = -at.walk.ray().direction, n = surface.geometric_normal;
     left.push_back({at.power, Vec3f(surface.p - origin), Vec3f(wi),
                     Vec3f(dot(n, wi) < 0.0 ? -n : n), static_cast<float>(at.density), number.index,
-                    static_cast<std::uint16_t>(at.walk.depth()), at.walk.carried(), at.course});
+                    static_cast<std::uint16_t>(at.walk.depth()), at.course});
   };
   return trace(number, wavelengths, leave, counters);
 }

@@ -62,36 +62,42 @@ TEST(SmoothGlass, IsInvisibleBetweenEqualMedia) {
 }
 
 TEST(DispersiveGlass, RefractsTheHeroAndReflectsAll) {
-  const Bsdf bsdf = test::dispersive_glass(0.0);
   const Vec3d wo = direction(0.3);
-  const auto reflected = sample(bsdf, wo, 0.0, {}, Mode::radiance);
-  EXPECT_EQ(reflected->carried, Carried::all);
-  const auto refracted = sample(bsdf, wo, refract_always, {}, Mode::radiance);
-  EXPECT_EQ(refracted->carried, Carried::hero);
-  EXPECT_GT(refracted->weight[0], 0.0f);
-  for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(refracted->weight[i], 0.0f);
+  for (std::size_t hero = 0; hero < 4; ++hero) {
+    const Bsdf bsdf = test::dispersive_glass(0.0, hero);
+    const auto reflected = sample(bsdf, wo, 0.0, {}, Mode::radiance);
+    EXPECT_EQ(reflected->carried, Carried::all);
+    const auto refracted = sample(bsdf, wo, refract_always, {}, Mode::radiance);
+    EXPECT_EQ(refracted->carried, Carried::hero);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(refracted->weight[i] > 0.0f, i == hero);
 
-  // Weights times chances: F_i, and four times the hero's transmittance.
-  const auto split = std::get<SmoothDielectric>(bsdf).index.split(wo.z, wo.z);
-  const double q = split.chance_to_reflect;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double f = refract(wo.z, test::dispersive_indices[i]).reflectance;
-    EXPECT_NEAR(reflected->weight[i] * q, f, 1e-6);
+    // Weights times chances: F_i, and four times the hero's transmittance.
+    const auto split = std::get<SmoothDielectric>(bsdf).index.split(wo.z, wo.z);
+    const double q = split.chance_to_reflect;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double f = refract(wo.z, test::dispersive_indices[i]).reflectance;
+      EXPECT_NEAR(reflected->weight[i] * q, f, 1e-6);
+    }
+    const double n = test::dispersive_indices[hero];
+    const double passed = 4.0 * (1.0 - split.reflectance[hero]);
+    EXPECT_NEAR(refracted->weight[hero] * (1 - q) * n * n, passed, 1e-5);
+    EXPECT_NEAR(std::hypot(refracted->wi.x, refracted->wi.y) * n, std::hypot(wo.x, wo.y), 1e-12);
   }
-  EXPECT_NEAR(refracted->weight[0] * (1 - q) * 2.25, 4.0 * (1.0 - split.reflectance[0]), 1e-5);
-  EXPECT_NEAR(std::hypot(refracted->wi.x, refracted->wi.y) * 1.5, std::hypot(wo.x, wo.y), 1e-12);
 }
 
 TEST(DispersiveGlass, OfAHeroPathBehavesLikePlainGlass) {
-  const InterfaceIndices indices{{1, 1, 1, 1}, test::dispersive_indices};
   for (const double roughness : {0.0, 0.5}) {
-    const Bsdf bsdf = make_glass(indices, roughness, Carried::hero);
-    const auto s = sample(bsdf, direction(0.9), refract_always, {0.4, 0.3}, Mode::importance);
-    ASSERT_TRUE(s);
-    EXPECT_EQ(s->side, Side::transmitted);
-    EXPECT_EQ(s->carried, Carried::all);  // nothing is left to drop
-    EXPECT_NEAR(s->weight[0], s->weight[3], 1e-6);
-    EXPECT_LE(s->weight[0], 1.1f);
+    for (std::size_t hero = 0; hero < 4; ++hero) {
+      const InterfaceIndices indices{{1, 1, 1, 1}, test::dispersive_indices, hero};
+      const Bsdf bsdf = make_glass(indices, roughness, Carried::hero);
+      const auto s = sample(bsdf, direction(0.9), refract_always, {0.4, 0.3}, Mode::importance);
+      ASSERT_TRUE(s);
+      EXPECT_EQ(s->side, Side::transmitted);
+      EXPECT_EQ(s->carried, Carried::all);  // nothing is left to drop
+      EXPECT_EQ(s->relative_index, test::dispersive_indices[hero]);
+      EXPECT_NEAR(s->weight[0], s->weight[3], 1e-6);
+      EXPECT_LE(s->weight[0], 1.1f);
+    }
   }
 }
 

@@ -20,13 +20,13 @@ inline Bsdf white_metal(const Grain& grain) {
 inline constexpr std::array<double, 4> dispersive_indices{1.5, 1.62, 1.45, 1.56};
 
 inline Bsdf glass(double n, const Grain& grain) {
-  const RelativeIndex index({1, 1, 1, 1}, {n, n, n, n});
+  const RelativeIndex index({{1, 1, 1, 1}, {n, n, n, n}});
   if (grain.alpha == 0.0) return SmoothDielectric{index};
   return RoughDielectric(index, grain);
 }
 
-inline Bsdf dispersive_glass(double alpha) {
-  const RelativeIndex index({1, 1, 1, 1}, dispersive_indices);
+inline Bsdf dispersive_glass(double alpha, std::size_t hero = 0) {
+  const RelativeIndex index({{1, 1, 1, 1}, dispersive_indices, hero});
   if (alpha == 0.0) return SmoothDielectric{index};
   return RoughDielectric(index, alpha);
 }

@@ -12,23 +12,24 @@ using transport::CausticMethod;
 
 constexpr int side = 12;  // of pictures, pixels
 
-RunningMean brightness(const scene::Scene& scene, CausticMethod method, int depth = 6) {
-  return test::brightness(scene, {.method = method, .depth = depth, .side = side});
+RunningMean brightness(const scene::Scene& scene, CausticMethod method, SmallRenders how = {}) {
+  how.method = method;
+  return test::brightness(scene, how);
 }
 
 /// Photons, paths and both together agree within 4 standard errors of their difference, which a
 /// right renderer misses in 6e-5 of such tests; the caustic itself is at least `share` of the
 /// light, many times what would be noticed.
-void expect_one_picture(const TinyScene& tiny, double share, int depth = 6) {
+void expect_one_picture(const TinyScene& tiny, double share, const SmallRenders& how = {}) {
   const scene::Scene scene = tiny.build();
-  const RunningMean paths = brightness(scene, CausticMethod::paths, depth);
-  const RunningMean without = brightness(scene, CausticMethod::off, depth);
+  const RunningMean paths = brightness(scene, CausticMethod::paths, how);
+  const RunningMean without = brightness(scene, CausticMethod::off, how);
   const double caustic = paths.mean() - without.mean();
   EXPECT_GT(caustic, share * paths.mean());
   EXPECT_GT(caustic, 16.0 * paths.standard_error()) << "paths are too noisy to tell a quarter";
   for (const CausticMethod method : {CausticMethod::photons, CausticMethod::automatic}) {
     SCOPED_TRACE(method == CausticMethod::photons ? "photons" : "automatic");
-    const RunningMean other = brightness(scene, method, depth);
+    const RunningMean other = brightness(scene, method, how);
     const double error = std::hypot(other.standard_error(), paths.standard_error());
     // What the kernel blurs over the edges of the picture.
     const double blurred = 0.004 * caustic;
@@ -143,7 +144,16 @@ TEST(Caustics, OfRoughMetal) {
 
 TEST(Caustics, OfDispersiveGlass) {
   expect_one_picture(
-      lens_over_floor(glass("N-SF11")).add(geometry::Sphere{{0.2, 0, 3}, 0.7}, lamp(5.0)), 0.05);
+      lens_over_floor(glass("N-SF11")).add(geometry::Sphere{{0.2, 0, 3}, 0.7}, lamp(5.0)), 0.05,
+      {.seeds = 16});
+}
+
+// Photons and paths that both have lost some wavelengths meet where they have kept the same one.
+TEST(Caustics, OfDispersiveGlassBehindMoreOfIt) {
+  expect_one_picture(lens_over_floor(glass("N-SF11"))
+                         .add(geometry::Sphere{{0.2, 0, 3}, 1.0}, lamp(5.0))
+                         .add(geometry::Box{{-2, -2, 0.01}, {2, -1.8, 2}}, glass("N-SF11")),
+                     0.05, {.seeds = 16});
 }
 
 // Light that a bright spot sends on to walls, seen in a mirror.
@@ -156,7 +166,7 @@ TEST(Caustics, GoOnInAClosedRoom) {
   tiny.add(geometry::Rectangle{{-0.6, -0.6, 2.9}, {0, 1.2, 0}, {1.2, 0, 0}}, lamp(5.0));
   tiny.look({0, -3, 1.2}, {0, 0, 0.7}, 60.0);
   tiny.description.render.size = {side, side};
-  expect_one_picture(tiny, 0.02, 9);
+  expect_one_picture(tiny, 0.02, {.depth = 9});
 }
 
 // Every total of scattering events by itself: one too many or too few on either side would show.
@@ -165,7 +175,7 @@ TEST(Caustics, CountScatteringEventsAlike) {
       lens_over_floor(glass(1.5)).add(geometry::Sphere{{0.2, 0, 3}, 0.7}, lamp(5.0));
   for (const int depth : {3, 4, 5}) {
     SCOPED_TRACE(depth);
-    expect_one_picture(tiny, 0.02, depth);
+    expect_one_picture(tiny, 0.02, {.depth = depth});
   }
 }
 

@@ -70,6 +70,19 @@ TEST(Picture, ShowsMatteColorsTheSameWithTheFilmicCurve) {
   EXPECT_NEAR(shown[2], 0x40, 1);
 }
 
+// A path through glass is left with one wavelength, but not all of a pass with the same: a white
+// sky behind glass is white after few passes.
+TEST(Picture, ShowsTheColorsOfGlassAfterFewPasses) {
+  TinyScene tiny;
+  tiny.add(geometry::Sphere{{}, 1.0}, material(description::Glass{*find_glass("N-SF11")}));
+  tiny.light(description::ConstantEnvironment{});
+  tiny.look({0, -3, 0}, {}, 30.0);
+  const Rgb color = mean_color(render_picture(tiny, {64, 64}, 4));
+  EXPECT_NEAR(color.r, 1.0, 0.02);
+  EXPECT_NEAR(color.g, 1.0, 0.02);
+  EXPECT_NEAR(color.b, 1.0, 0.02);
+}
+
 // Light of an RGB radiance shows as those numbers; the mean over a pass's wavelengths is theirs.
 TEST(Picture, ShowsLightAsItWasGiven) {
   TinyScene tiny;

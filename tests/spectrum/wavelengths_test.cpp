@@ -1,6 +1,7 @@
 #include "spectrum/wavelengths.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -169,18 +170,33 @@ TEST(Wavelengths, MeanIsTheColourOfTheSpectrum) {
   }
 }
 
-TEST(Wavelengths, HeroAloneHasTheSameMean) {
+TEST(Wavelengths, AnyHeroAloneHasTheSameMean) {
   const Spectrum spectrum = Spectrum::illuminant({0.8f, 0.5f, 0.2f});
-  Vec3d sum;
   constexpr int passes = 4096;
+  std::array<Vec3d, 4> sums;
   for (int k = 0; k < passes; ++k) {
-    const Wavelengths w = Wavelengths::sample((k + 0.5) / passes);
-    const Rgb rgb = w.to_rgb(spectrum.at(w) * Wavelengths::hero_only());
-    sum += {rgb.r, rgb.g, rgb.b};
+    const Heroes heroes = every_hero(Wavelengths::sample((k + 0.5) / passes));
+    for (std::size_t hero = 0; hero < 4; ++hero) {
+      const Wavelengths& w = heroes[hero];
+      ASSERT_EQ(w.hero(), hero);
+      const Rgb rgb = w.to_rgb(spectrum.at(w) * w.hero_only());
+      sums[hero] += {rgb.r, rgb.g, rgb.b};
+    }
   }
-  EXPECT_NEAR(sum.x / passes, 0.8, 2e-5);
-  EXPECT_NEAR(sum.y / passes, 0.5, 2e-5);
-  EXPECT_NEAR(sum.z / passes, 0.2, 2e-5);
+  for (const Vec3d& sum : sums) {
+    EXPECT_NEAR(sum.x / passes, 0.8, 2e-5);
+    EXPECT_NEAR(sum.y / passes, 0.5, 2e-5);
+    EXPECT_NEAR(sum.z / passes, 0.2, 2e-5);
+  }
+}
+
+// What the four heroes carry alone is together what all four carry at once.
+TEST(Wavelengths, HeroesShareALightBetweenThem) {
+  const Heroes heroes = every_hero(Wavelengths::sample(0.37));
+  const SampledSpectrum light = Spectrum::illuminant({0.8f, 0.5f, 0.2f}).at(heroes[0]);
+  SampledSpectrum sum;
+  for (const Wavelengths& w : heroes) sum += 0.25f * (light * w.hero_only());
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(sum[i], light[i]);
 }
 
 TEST(Wavelengths, WhiteReflectsEverythingExactly) {
