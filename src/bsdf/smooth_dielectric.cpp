@@ -1,5 +1,9 @@
 #include "bsdf/smooth_dielectric.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace lapidary::bsdf {
 
 RelativeIndex::RelativeIndex(const InterfaceIndices& indices) : hero_(indices.hero) {
@@ -63,6 +67,24 @@ BothWays both_ways(const SmoothDielectric& bsdf, Vec3d wo, Mode mode) {
     ways.refracted = refracted(bsdf.index, wo, split.cos_refracted, split.transmittance, mode);
   }
   return ways;
+}
+
+Spread spread_of_refraction(const RelativeIndex& index, double z) {
+  const double cosine = std::abs(z), sine = std::sqrt(1.0 - cosine * cosine);
+  Spread spread;
+  double least = 1.0, most = 0.0, least_cosine = 1.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double eta = index.beyond(z)[i];
+    const Refraction refraction = refract(cosine, eta);
+    spread.transmittance.set(i, static_cast<float>(1.0 - refraction.reflectance));
+    least = std::min(least, sine / eta);
+    most = std::max(most, sine / eta);
+    least_cosine = std::min(least_cosine, refraction.cos_refracted);
+  }
+  // Angles differ by no more than their sines over the least of the cosines between.
+  spread.divergence =
+      least_cosine > 0.0 ? (most - least) / least_cosine : std::numeric_limits<double>::infinity();
+  return spread;
 }
 
 }  // namespace lapidary::bsdf

@@ -48,11 +48,12 @@ class RelativeIndex {
     return dispersive_ ? SampledSpectrum::only(hero_, 4.0f * scaled) : SampledSpectrum(scaled);
   }
 
- private:
+  /// Index beyond over index before at every wavelength, for a direction with this z.
   const std::array<double, 4>& beyond(double z) const {
     return z > 0.0 ? below_over_above_ : above_over_below_;
   }
 
+ private:
   std::array<double, 4> below_over_above_;
   std::array<double, 4> above_over_below_;
   std::size_t hero_;
@@ -77,5 +78,12 @@ struct BothWays {
   std::optional<BsdfSample> reflected, refracted;
 };
 BothWays both_ways(const SmoothDielectric& bsdf, Vec3d wo, Mode mode);
+
+/// What refraction does to all wavelengths, where they may be taken to go the hero's way.
+struct Spread {
+  SampledSpectrum transmittance;  ///< 1 - F_i
+  double divergence = 0;          ///< largest angle between two; infinite if one is not refracted
+};
+Spread spread_of_refraction(const RelativeIndex& index, double z);
 
 }  // namespace lapidary::bsdf

@@ -24,8 +24,10 @@ SampledSpectrum gather(const CausticPass& pass, const CausticLayer& layer, const
   const double area = photon_area(pass, at.width);
   const auto kernel = 2.0 / (pi * radius_squared * pass.emitted);
   layer.map.for_each_near(vertex.surface.p, radius, [&](const Photon& photon, double d2) {
-    // Those of other wavelengths than a path that has lost some are for other paths.
-    const SampledSpectrum carried = at.throughput * photon.power;
+    // What it brings at other wavelengths than a path has kept is for other paths.
+    const SampledSpectrum carried =
+        at.throughput *
+        light_within(radius, photon.power, photon.dispersion.value(), photon.hero());
     if (photon.depth > at.depth_left || carried.is_zero()) return;
     const Vec3d wi_world(photon.wi);
     const double cos_geometric = std::abs(dot(ng, wi_world));

@@ -302,15 +302,22 @@ Caustics::Yield Caustics::emit(std::uint32_t pass, std::uint32_t count, const He
     }
   });
   Yield yield;
-  std::size_t size = 0;
-  for (const Yield& part : parts) size += part.photons.size();
-  yield.photons.reserve(size);
+  const auto join = [&](std::vector<Photon> Photons::*alike) {
+    std::size_t size = 0;
+    for (const Yield& part : parts) size += (part.photons.*alike).size();
+    std::vector<Photon>& all = yield.photons.*alike;
+    all.reserve(size);
+    for (const Yield& part : parts) {
+      all.insert(all.end(), (part.photons.*alike).begin(), (part.photons.*alike).end());
+    }
+  };
+  join(&Photons::focused);
+  join(&Photons::diffused);
   for (const Yield& part : parts) {
-    yield.photons.insert(yield.photons.end(), part.photons.begin(), part.photons.end());
     yield.useful.insert(yield.useful.end(), part.useful.begin(), part.useful.end());
     yield.counters += part.counters;
   }
-  yield.counters.photons_left = size;
+  yield.counters.photons_left = yield.photons.size();
   return yield;
 }
 
@@ -319,14 +326,9 @@ CausticPass Caustics::pass_of(Yield yield, std::uint32_t count, double radius_pe
     const PhotonMap::Radii radii{widths_.smallest * radius, widths_.largest * radius};
     return CausticLayer{PhotonMap(std::move(photons), origin_of(scene_), radii), radius};
   };
-  std::vector<Photon>& focused = yield.photons;
-  std::vector<Photon> diffused;
-  std::erase_if(focused, [&](const Photon& photon) {
-    if (photon.course == Course::diffused) diffused.push_back(photon);
-    return photon.course == Course::diffused;
-  });
-  return {&emitter_, static_cast<double>(count), layer(std::move(focused), radius_per_width),
-          layer(std::move(diffused), diffused_radius * radius_per_width)};
+  return {&emitter_, static_cast<double>(count),
+          layer(std::move(yield.photons.focused), radius_per_width),
+          layer(std::move(yield.photons.diffused), diffused_radius * radius_per_width)};
 }
 
 CausticPass Caustics::trace(const Pass& pass, const Heroes& wavelengths, ThreadPool& pool,

@@ -71,7 +71,7 @@ class Caustics {
     PhotonEmitter::Origin origin;
   };
   struct Yield {
-    std::vector<Photon> photons;
+    Photons photons;
     std::vector<Useful> useful;  ///< by ascending number
     Counters counters;
   };

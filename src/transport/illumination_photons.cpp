@@ -101,7 +101,7 @@ std::optional<std::vector<FallenPhoton>> trace_photons(const scene::Scene& scene
       const auto leave = [&](const PhotonTracer::Arrival& at) {
         const geometry::Surface& surface = at.walk.surface();
         const bool from_front = dot(surface.geometric_normal, at.walk.ray().direction) < 0.0;
-        const Rgb rgb = own->to_rgb(at.power * share);
+        const Rgb rgb = own->to_rgb(at.power_here() * share);
         mine.photons.push_back({place_on_surface(scene.world(), at.walk.hit(), surface),
                                 {rgb.r, rgb.g, rgb.b, 0.0f},
                                 scene.object_index(at.walk.hit()),

@@ -38,7 +38,10 @@ double off_surface(const light::Light& light) {
 class PhotonTracer::Flight {
  public:
   Flight(const PhotonTracer& tracer, const SampleContext& context, const Leave& leave)
-      : tracer_(tracer), walk_(tracer.scene_, context), leave_(leave) {}
+      : tracer_(tracer),
+        walk_(tracer.scene_, context),
+        leave_(leave),
+        hero_(context.wavelengths.hero()) {}
 
   void follow(const PhotonEmitter::Emission& emission);
 
@@ -49,14 +52,22 @@ class PhotonTracer::Flight {
   }
   bool is_in_opaque_solid() const;
   bool scatter(const Vertex& vertex, bool is_narrow);
+  void disperse(const Vertex& vertex, bsdf::BsdfSample& sample);
   bool survives_roulette(SampledSpectrum before, double u);
 
   const PhotonTracer& tracer_;
   Walk walk_;
   const Leave& leave_;
+  std::size_t hero_;
   SampledSpectrum power_;
   double density_ = 0;  ///< of the emission, until it is scattered widely
   Course course_ = Course::focused;
+  /// Of the wavelengths about the hero: how far apart they are, and at which angle they part.
+  struct Dispersion {
+    double width = 0;
+    double angle = 0;
+  };
+  Dispersion dispersion_;
   bool went_through_glass_ = false;
 };
 
@@ -64,13 +75,18 @@ void PhotonTracer::Flight::follow(const PhotonEmitter::Emission& emission) {
   power_ = emission.power;
   density_ = emission.extent == light::Extent::delta ? 0.0 : emission.density;
   walk_.start(emission.ray);
-  while (walk_.depth() < tracer_.max_depth_ && walk_.advance()) {
+  while (walk_.depth() < tracer_.max_depth_) {
+    const Vec3d from = walk_.ray().origin;
+    if (!walk_.advance()) return;
+    dispersion_.width += dispersion_.angle * length(walk_.surface().p - from);
     if (is_in_opaque_solid()) return;
     power_ *= walk_.transmittance();
     went_through_glass_ = went_through_glass_ || walk_.went_through_glass();
     const Vertex vertex = walk_.vertex();
     const bool is_narrow = bsdf::is_narrow(vertex.bsdf);
-    if (!is_narrow && is_wanted()) leave_({walk_, power_, density_, course_});
+    if (!is_narrow && is_wanted()) {
+      leave_({walk_, power_, hero_, static_cast<float>(dispersion_.width), density_, course_});
+    }
     if (!scatter(vertex, is_narrow)) return;
   }
 }
@@ -86,7 +102,7 @@ bool PhotonTracer::Flight::scatter(const Vertex& vertex, bool is_narrow) {
   const VertexPoints points = walk_.points();
   const auto way = sample_direction(vertex, points, bsdf::Mode::importance);
   if (!way) return false;
-  const bsdf::BsdfSample& sample = way->sample;
+  bsdf::BsdfSample sample = way->sample;
   const bool is_wide = sample.lobe != Lobe::specular && !is_narrow;
   // What falls on it straight from the light is none of a caustic's.
   if (is_wide && tracer_.wanted_ == PhotonLight::caustics && !is_wanted()) return false;
@@ -96,10 +112,37 @@ bool PhotonTracer::Flight::scatter(const Vertex& vertex, bool is_narrow) {
     const Vec3d to_light = vertex.frame.to_world(vertex.wo);
     factor *= terminator_share(vertex, to_light, vertex.wo, sample.wi);
   }
+  disperse(vertex, sample);
   power_ *= sample.weight * static_cast<float>(factor);
-  if (is_wide) density_ = 0.0, course_ = Course::diffused;
+  if (is_wide) density_ = 0.0, dispersion_.angle = 0.0, course_ = Course::diffused;
   walk_.scatter(vertex, sample, way->direction);
   return survives_roulette(before, points.roulette());
+}
+
+// Smooth glass keeps all wavelengths together, for now, with a record of how far they are apart.
+// Curved surfaces may magnify that, which the record does not know: it is right to a small factor.
+void PhotonTracer::Flight::disperse(const Vertex& vertex, bsdf::BsdfSample& sample) {
+  if (sample.side != bsdf::Side::transmitted) return;
+  dispersion_.angle *=
+      std::abs(vertex.wo.z) / (sample.relative_index * std::max(std::abs(sample.wi.z), 1e-3));
+  if (sample.carried != Carried::hero) return;
+  const auto* glass = std::get_if<bsdf::SmoothDielectric>(&vertex.bsdf);
+  const bsdf::Spread spread = glass != nullptr
+                                  ? bsdf::spread_of_refraction(glass->index, vertex.wo.z)
+                                  : bsdf::Spread{{}, infinity};
+  if (spread.divergence == infinity) {
+    // The hero goes on alone.
+    dispersion_ = {};
+    return;
+  }
+  const float of_hero = sample.weight[hero_] / SampledSpectrum::size;
+  sample.weight = spread.transmittance * (of_hero / spread.transmittance[hero_]);
+  sample.carried = Carried::all;
+  dispersion_.angle += spread.divergence;
+}
+
+SampledSpectrum PhotonTracer::Arrival::power_here() const {
+  return light_within(0.0, power, dispersion, hero);
 }
 
 bool PhotonTracer::Flight::survives_roulette(SampledSpectrum before, double u) {
@@ -171,14 +214,15 @@ std::optional<PhotonEmitter::Origin> PhotonTracer::trace(const Number& number,
 
 std::optional<PhotonEmitter::Origin> PhotonTracer::trace(const Number& number,
                                                          const Wavelengths& wavelengths,
-                                                         Vec3d origin, std::vector<Photon>& left,
+                                                         Vec3d origin, Photons& left,
                                                          Counters& counters) const {
   const auto leave = [&](const Arrival& at) {
     const geometry::Surface& surface = at.walk.surface();
     const Vec3d wi = -at.walk.ray().direction, n = surface.geometric_normal;
-    left.push_back({at.power, Vec3f(surface.p - origin), Vec3f(wi),
-                    Vec3f(dot(n, wi) < 0.0 ? -n : n), static_cast<float>(at.density), number.index,
-                    static_cast<std::uint16_t>(at.walk.depth()), at.course});
+    std::vector<Photon>& alike = at.course == Course::focused ? left.focused : left.diffused;
+    alike.push_back({at.power, Vec3f(surface.p - origin), Vec3f(wi),
+                     Vec3f(dot(n, wi) < 0.0 ? -n : n), static_cast<float>(at.density), number.index,
+                     static_cast<std::uint16_t>(at.walk.depth()), CoarseLength(at.dispersion)});
   };
   return trace(number, wavelengths, leave, counters);
 }

@@ -39,8 +39,13 @@ class PhotonTracer {
   struct Arrival {
     const Walk& walk;       ///< stands on the surface
     SampledSpectrum power;  ///< as Photon's
+    std::size_t hero = 0;   ///< which wavelength led it
+    float dispersion = 0;   ///< as Photon's
     double density = 0;     ///< as Photon's
     Course course = Course::focused;
+
+    /// The power that falls right here: behind what disperses the hero's.
+    SampledSpectrum power_here() const;
   };
   using Leave = std::function<void(const Arrival&)>;
   /// Traces one photon and calls `leave` wherever it is left. What it was drawn as, unless it was a
@@ -48,10 +53,9 @@ class PhotonTracer {
   std::optional<PhotonEmitter::Origin> trace(const Number& number, const Wavelengths& wavelengths,
                                              const Leave& leave, Counters& counters) const;
   /// Traces one photon. Appends what it leaves to `left`, at positions from `origin`. What it was
-  /// drawn as, unless it was a miss.
+  /// drawn as, unless it was a miss. Its number has to say which wavelength leads: Photon::hero.
   std::optional<PhotonEmitter::Origin> trace(const Number& number, const Wavelengths& wavelengths,
-                                             Vec3d origin, std::vector<Photon>& left,
-                                             Counters& counters) const;
+                                             Vec3d origin, Photons& left, Counters& counters) const;
 
  private:
   class Flight;

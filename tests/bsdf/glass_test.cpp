@@ -101,6 +101,29 @@ TEST(DispersiveGlass, OfAHeroPathBehavesLikePlainGlass) {
   }
 }
 
+TEST(DispersiveGlass, SaysHowFarItSpreadsColors) {
+  const RelativeIndex index({{1, 1, 1, 1}, test::dispersive_indices, 2});
+  Random random(8);
+  for (int i = 0; i < 1000; ++i) {
+    const double z = random.uniform(-1.0, 1.0), sine = std::sqrt(1.0 - z * z);
+    const Spread spread = spread_of_refraction(index, z);
+    double least = pi, most = 0.0;
+    bool all_refracted = true;
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double n = z > 0.0 ? test::dispersive_indices[j] : 1.0 / test::dispersive_indices[j];
+      all_refracted = all_refracted && sine / n < 1.0;
+      least = std::min(least, std::asin(std::min(sine / n, 1.0)));
+      most = std::max(most, std::asin(std::min(sine / n, 1.0)));
+      EXPECT_NEAR(spread.transmittance[j], 1.0 - refract(std::abs(z), n).reflectance, 1e-6);
+    }
+    EXPECT_EQ(spread.divergence < infinity, all_refracted);
+    if (!all_refracted) continue;
+    // A bound, and close where light does not graze.
+    EXPECT_GE(spread.divergence, most - least - 1e-15);
+    if (most < 1.2) EXPECT_LE(spread.divergence, 1.4 * (most - least) + 1e-15);
+  }
+}
+
 TEST(DispersiveGlass, WeighsReflectionAndRefractionAlike) {
   Random random(6);
   const Bsdf bsdf = test::dispersive_glass(0.0);
