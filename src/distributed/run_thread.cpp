@@ -125,7 +125,7 @@ void RunThread::render(const PassRange& run) {
   for (std::uint32_t begin = run.begin; begin < run.end; begin += size) {
     if (is_finishing_ && begin > run.begin) break;
     const PassRange block{begin, std::min(begin + size, run.end)};
-    rendered.tally += renderer.render(block, map_, rendered.film, pool, &is_given_up_);
+    rendered.tally += renderer.render(block, map_, rendered.film, pool, {&is_given_up_});
     if (is_given_up_) return;
   }
   const std::chrono::duration<double> seconds = Clock::now() - start;

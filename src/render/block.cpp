@@ -1,6 +1,7 @@
 #include "render/block.h"
 
 #include <algorithm>
+#include <chrono>
 #include <mutex>
 #include <vector>
 
@@ -23,6 +24,27 @@ std::size_t hero_of(std::uint32_t x, std::uint32_t y, std::uint32_t nth, std::ui
 }
 
 }  // namespace
+
+/// Says how much of a block is done, now and then. Threads share it, under a lock.
+class BlockRenderer::ShareReport {
+ public:
+  explicit ShareReport(const Watch& watch) : watch_(watch) {}
+
+  void add(double share) {
+    constexpr std::chrono::milliseconds often(200);
+    share_ += share;
+    if (!watch_.on_share || Clock::now() - last_ < often) return;
+    last_ = Clock::now();
+    watch_.on_share(std::min(share_, 1.0));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  const Watch& watch_;
+  double share_ = 0;
+  Clock::time_point last_ = Clock::now();
+};
 
 /// What all pixels of a pass share: photons and camera paths can only meet at the same wavelengths.
 struct BlockRenderer::Pass {
@@ -89,8 +111,14 @@ film::PixelSums BlockRenderer::sum_pixel(int x, int y, std::span<const Pass> pas
   return sums;
 }
 
+double BlockRenderer::photons_share_of_work() const {
+  if (caustics_.state() != transport::Caustics::State::active) return 0.0;
+  return caustics_.share().cost / (1.0 + caustics_.share().cost);
+}
+
 std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, const SampleMap& map,
-                                                        ThreadPool& pool, BlockTally& tally) const {
+                                                        ThreadPool& pool, BlockTally& tally,
+                                                        ShareReport& report) const {
   const double rotation = pass_sample(settings_.seed, 0, wavelength_dimension);
   std::vector<Pass> passes;
   for (std::uint32_t p = range.begin; p < range.end; ++p) {
@@ -102,21 +130,24 @@ std::vector<BlockRenderer::Pass> BlockRenderer::prepare(PassRange range, const S
                                                wavelengths, pool, tally.counters);
       const transport::CausticPass& pass = *passes.back().caustics;
       tally.photon_bytes += pass.focused.map.bytes() + pass.diffused.map.bytes();
+      report.add(photons_share_of_work() / range.size());
     }
   }
   return passes;
 }
 
 BlockTally BlockRenderer::render(PassRange range, const SampleMap& map, film::Film& film,
-                                 ThreadPool& pool, const std::atomic<bool>* given_up) const {
+                                 ThreadPool& pool, const Watch& watch) const {
   BlockTally total;
-  const std::vector<Pass> passes = prepare(range, map, pool, total);
+  ShareReport report(watch);
+  const std::vector<Pass> passes = prepare(range, map, pool, total, report);
   const int columns = (film.width() + tile_ - 1) / tile_;
   const int rows = (film.height() + tile_ - 1) / tile_;
   std::mutex mutex;
   const auto tiles = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  const double tile_share = (1.0 - photons_share_of_work()) / static_cast<double>(tiles);
   pool.parallel_for(tiles, 1, [&](IndexRange some) {
-    if (given_up != nullptr && *given_up) return;
+    if (watch.given_up != nullptr && *watch.given_up) return;
     BlockTally tally;
     for (std::size_t tile = some.begin; tile < some.end; ++tile) {
       const int x0 = static_cast<int>(tile % static_cast<std::size_t>(columns)) * tile_;
@@ -129,6 +160,7 @@ BlockTally BlockRenderer::render(PassRange range, const SampleMap& map, film::Fi
     }
     const std::lock_guard lock(mutex);
     total += tally;
+    report.add(tile_share * static_cast<double>(some.end - some.begin));
   });
   film.finish_block(range, total.faults);
   return total;

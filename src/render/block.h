@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -57,6 +58,15 @@ struct BlockTally {
   }
 };
 
+/// Where a block that is being rendered is watched and given up from.
+struct Watch {
+  /// Set: it returns soon, and the film is worth nothing. May be null.
+  const std::atomic<bool>* given_up = nullptr;
+  /// Gets the share of the block that is done, a few times a second, from one thread at a time. May
+  /// be empty.
+  std::function<void(double)> on_share = {};
+};
+
 /// Renders blocks of passes into a film. Blocks may come in any order and from any machine: the
 /// film's sums are the same.
 class BlockRenderer {
@@ -82,10 +92,9 @@ class BlockRenderer {
   /// Null unless paths end in maps.
   const transport::IlluminationMaps* illumination() const { return maps_ ? &*maps_ : nullptr; }
 
-  /// Adds passes to a film of the picture's size; all of them in the epoch of the map. Once
-  /// `given_up`, which may be null, is set, it returns soon and the film is worth nothing.
+  /// Adds passes to a film of the picture's size; all of them in the epoch of the map.
   BlockTally render(PassRange passes, const SampleMap& map, film::Film& film, ThreadPool& pool,
-                    const std::atomic<bool>* given_up = nullptr) const;
+                    const Watch& watch = {}) const;
   /// The same with one sample for every pixel.
   BlockTally render(PassRange passes, film::Film& film, ThreadPool& pool) const {
     return render(passes, SampleMap(), film, pool);
@@ -93,8 +102,10 @@ class BlockRenderer {
 
  private:
   struct Pass;
+  class ShareReport;
   std::vector<Pass> prepare(PassRange range, const SampleMap& map, ThreadPool& pool,
-                            BlockTally& tally) const;
+                            BlockTally& tally, ShareReport& report) const;
+  double photons_share_of_work() const;  ///< of passes
   film::PixelSums sum_pixel(int x, int y, std::span<const Pass> passes, const SampleMap& map,
                             const film::Film& film, BlockTally& tally) const;
   /// A sample of a pixel: its number there, and which one it is in its pass.

@@ -42,17 +42,18 @@ const SampleMap& Canvas::map(std::uint32_t pass) {
   return plan_ ? plan_->map(pass) : uniform;
 }
 
-BlockTally Canvas::render(const BlockRenderer& renderer, const PassRange& block, ThreadPool& pool) {
+BlockTally Canvas::render(const BlockRenderer& renderer, const PassRange& block, ThreadPool& pool,
+                          const Watch& watch) {
   cut_.reset();
-  const BlockTally tally = renderer.render(block, map(block.begin), film_, pool);
+  const BlockTally tally = renderer.render(block, map(block.begin), film_, pool, watch);
   take_decisions();
   return tally;
 }
 
 BlockTally Canvas::render_cut(const BlockRenderer& renderer, const PassRange& passes,
-                              ThreadPool& pool) {
+                              ThreadPool& pool, const Watch& watch) {
   cut_ = film_;
-  return renderer.render(passes, map(passes.begin), *cut_, pool);
+  return renderer.render(passes, map(passes.begin), *cut_, pool, watch);
 }
 
 bool Canvas::must_wait(const PassRange& passes) const {

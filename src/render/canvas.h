@@ -36,10 +36,12 @@ class Canvas {
 
   /// Renders a whole block into the film, even if a decision still waits for passes before it, and
   /// then in vain. Preconditions: its samples are known, no pass of it is there.
-  BlockTally render(const BlockRenderer& renderer, const PassRange& block, ThreadPool& pool);
+  BlockTally render(const BlockRenderer& renderer, const PassRange& block, ThreadPool& pool,
+                    const Watch& watch = {});
   /// Renders the beginning of a block, of which the picture is to have no more. The film stays as
   /// it is, so that going on gives the same bits as if there had been no end here.
-  BlockTally render_cut(const BlockRenderer& renderer, const PassRange& passes, ThreadPool& pool);
+  BlockTally render_cut(const BlockRenderer& renderer, const PassRange& passes, ThreadPool& pool,
+                        const Watch& watch = {});
 
   /// Adds whole blocks that were rendered elsewhere, none of which is here.
   void add(film::Film blocks);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/constants.h"
+
 namespace lapidary::render {
 
 Pace::Pace(const StopRules& rules, const Canvas& canvas)
@@ -51,35 +53,51 @@ Ending Pace::ending() const {
 }
 
 Progress Pace::progress() const {
+  return progress({last_, static_cast<double>(canvas_.picture().pass_count()), noise()});
+}
+
+Progress Pace::progress(const PassRange& running, double share) const {
+  const double passes = static_cast<double>(canvas_.film().pass_count()) +
+                        share * static_cast<double>(running.size());
+  Progress now = progress(Moment{seconds(), passes, noise_.value_or(infinity)});
+  if (last_ == 0.0) {
+    // Nothing is counted yet, and the first passes take one sample of each pixel.
+    const double pixels = static_cast<double>(canvas_.film().width()) * canvas_.film().height();
+    const double done = passes - static_cast<double>(passes_before_);
+    now.samples_per_second = pixels * done / now.seconds;
+  }
+  return now;
+}
+
+Progress Pace::progress(const Moment& now) const {
   const auto samples = static_cast<double>(samples_);
   std::optional<std::uint32_t> planned = rules_.samples;
   if (rules_.only) planned = rules_.only->size();
-  return {.passes = canvas_.picture().pass_count(),
+  return {.passes = static_cast<std::uint64_t>(now.passes),
           .passes_planned = planned,
-          .seconds = last_,
+          .seconds = now.seconds,
           .samples_per_second = last_ > 0 ? samples / last_ : 0.0,
-          .noise = noise(),
+          .noise = now.noise,
           .photons = photons_,
-          .seconds_left = seconds_left()};
+          .seconds_left = seconds_left(now)};
 }
 
 double Pace::seconds() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
-std::optional<double> Pace::seconds_left() const {
+std::optional<double> Pace::seconds_left(const Moment& now) const {
   std::optional<double> left;
   const auto consider = [&](double s) { left = std::max(0.0, left ? std::min(*left, s) : s); };
-  const auto passes = static_cast<double>(canvas_.picture().pass_count());
-  const double per_pass = last_ / (passes - static_cast<double>(passes_before_));
+  const double per_pass = now.seconds / (now.passes - static_cast<double>(passes_before_));
   if (const auto end = last_pass()) {
-    consider(per_pass * (static_cast<double>(*end - first_pass()) - passes));
+    consider(per_pass * (static_cast<double>(*end - first_pass()) - now.passes));
   }
-  if (rules_.seconds) consider(*rules_.seconds - last_);
+  if (rules_.seconds) consider(*rules_.seconds - now.seconds);
   // The error of a mean falls with the square root of the number of samples.
-  if (rules_.noise && std::isfinite(noise())) {
-    const double ratio = noise() / *rules_.noise;
-    consider(per_pass * passes * (ratio * ratio - 1.0));
+  if (rules_.noise && std::isfinite(now.noise)) {
+    const double ratio = now.noise / *rules_.noise;
+    consider(per_pass * now.passes * (ratio * ratio - 1.0));
   }
   return left;
 }

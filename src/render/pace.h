@@ -32,13 +32,23 @@ class Pace {
   Ending ending() const;
 
   Progress progress() const;
+  /// Of a share of the passes that are being rendered. Does not look at the canvas's picture, which
+  /// others write to meanwhile: the noise is that from before, if it was looked at.
+  Progress progress(const PassRange& running, double share) const;
   double seconds() const;
   /// Of the picture so far. It is looked at only if somebody asks.
   double noise() const;
 
  private:
   bool is_fine() const { return rules_.noise && noise() <= *rules_.noise; }
-  std::optional<double> seconds_left() const;
+  /// A moment of a render.
+  struct Moment {
+    double seconds = 0;
+    double passes = 0;  ///< of the picture, with parts of those that are being rendered
+    double noise = 0;
+  };
+  Progress progress(const Moment& now) const;
+  std::optional<double> seconds_left(const Moment& now) const;
 
   using Clock = std::chrono::steady_clock;
 
@@ -46,7 +56,7 @@ class Pace {
   const Canvas& canvas_;
   std::uint64_t passes_before_;
   Clock::time_point start_ = Clock::now();
-  double last_ = 0;
+  double last_ = 0;  ///< when a block ended
   double block_seconds_ = 0;
   mutable std::optional<double> noise_;  ///< once it is known
   std::uint64_t samples_ = 0, photons_ = 0;

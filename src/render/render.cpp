@@ -140,8 +140,12 @@ Statistics render(const BlockRenderer& renderer, const StopRules& rules, const C
     }
     const double begin = pace.seconds();
     const bool is_whole = pace.is_of_whole_blocks(next);
-    const BlockTally tally =
-        is_whole ? canvas.render(renderer, next, pool) : canvas.render_cut(renderer, next, pool);
+    Watch watch;
+    if (control.on_progress) {
+      watch.on_share = [&](double share) { control.on_progress(pace.progress(next, share)); };
+    }
+    const BlockTally tally = is_whole ? canvas.render(renderer, next, pool, watch)
+                                      : canvas.render_cut(renderer, next, pool, watch);
     statistics.tally += tally;
     // What is done between two blocks is no part of their time.
     pace.block_done(tally, pace.seconds() - begin);

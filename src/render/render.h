@@ -54,7 +54,9 @@ struct Progress {
 
 /// Where a render is watched and stopped from.
 struct Control {
-  std::function<void(const Progress&)> on_progress;  ///< after every block; may be empty
+  /// After every block, and a few times a second meanwhile, from any thread but one at a time. May
+  /// be empty.
+  std::function<void(const Progress&)> on_progress;
   /// After every whole block but the last, and before `on_progress`: the time to note what there
   /// is. May be empty.
   std::function<void(const Canvas&)> on_block = {};
