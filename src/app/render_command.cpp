@@ -194,6 +194,43 @@ void check_files(const RenderCommand& command, const Outputs& outputs) {
   if (!command.stats_file.empty()) image::OutputFile probe(command.stats_file);
 }
 
+/// A command at work: where to, by what means, and what its render is known by.
+struct Site {
+  const Outputs& outputs;
+  const RenderCommand& command;
+  const Workshop& with;
+  const render::Origin& origin;
+};
+
+/// Renders from `start` on, and notes what it took.
+void render_from(Start& start, const Site& site, const Work& work, RunStatistics& statistics) {
+  site.with.display.begin(Phase::render, site.command.scene.frame);
+  const double cpu_seconds_before = process_cpu_seconds();
+  PhaseClock clock;
+  statistics.samples_before = start.canvas.film().pass_count();
+  statistics.render = render_watched(site.command, work, site.with.display);
+  if (work.between.checkpoints) statistics.checkpoints = work.between.checkpoints->written();
+  statistics.render_cpu_seconds += process_cpu_seconds() - cpu_seconds_before;
+  statistics.samples_per_pixel = start.canvas.picture().pass_count();
+  statistics.seconds.render = clock.lap();
+}
+
+/// Writes all files, and says what was wrong with the samples.
+void write_results(const Start& start, const Site& site, const Work& work,
+                   RunStatistics& statistics) {
+  site.with.display.begin(Phase::write, site.command.scene.frame);
+  PhaseClock clock;
+  write_pictures(site.outputs, site.origin, start, statistics,
+                 completion_of(site.command, work.rules, statistics.render.ending));
+  work.between.finish(start.canvas);
+  statistics.seconds.write = clock.lap();
+  if (!site.command.stats_file.empty()) {
+    write_text(site.command.stats_file, to_json(statistics, work.renderer.illumination()));
+  }
+  site.with.display.finish();
+  warn_about_faults(start.canvas.picture().faults(), site.with.warnings);
+}
+
 /// With a crew if that is not null.
 RunStatistics render_to(const Outputs& outputs, const RenderCommand& command, const Workshop& with,
                         distributed::Crew* crew) {
@@ -218,32 +255,18 @@ RunStatistics render_to(const Outputs& outputs, const RenderCommand& command, co
     wait_until_ready(*crew, {origin, preparation, renderer});
   }
   Start start = start_of(command, outputs, origin, preparation.film(), renderer);
-  statistics.samples_before = start.canvas.film().pass_count();
   statistics.seconds.photons = clock.lap();
+  statistics.render_cpu_seconds = process_cpu_seconds() - cpu_seconds_before;
   print_warnings(with.warnings.take());
   if (command.progress != ProgressStyle::none) print_start(start, outputs);
 
-  with.display.begin(Phase::render, command.scene.frame);
   BetweenBlocks between = between_blocks(command, outputs, origin);
   const Work work{renderer,     with.pool,
                   crew,         stop_rules_of(command, preparation.description().render),
                   start.canvas, between};
-  statistics.render = render_watched(command, work, with.display);
-  if (between.checkpoints) statistics.checkpoints = between.checkpoints->written();
-  statistics.render_cpu_seconds = process_cpu_seconds() - cpu_seconds_before;
-  statistics.samples_per_pixel = start.canvas.picture().pass_count();
-  statistics.seconds.render = clock.lap();
-
-  with.display.begin(Phase::write, command.scene.frame);
-  write_pictures(outputs, origin, start, statistics,
-                 completion_of(command, work.rules, statistics.render.ending));
-  between.finish(start.canvas);
-  statistics.seconds.write = clock.lap();
-  if (!command.stats_file.empty()) {
-    write_text(command.stats_file, to_json(statistics, renderer.illumination()));
-  }
-  with.display.finish();
-  warn_about_faults(start.canvas.picture().faults(), with.warnings);
+  const Site site{outputs, command, with, origin};
+  render_from(start, site, work, statistics);
+  write_results(start, site, work, statistics);
   return statistics;
 }
 
