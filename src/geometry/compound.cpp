@@ -77,7 +77,7 @@ std::vector<bool> in_one_piece(const BooleanTree& tree, std::span<const Box3d> l
 }  // namespace
 
 Compound::Compound(Expression expression, std::span<const Expression::Term> roots,
-                   std::span<const Box3d> guests)
+                   std::span<const Box3d> guests, ThreadPool* pool)
     : stated_leaves_(expression.leaves().size()) {
   expression.fuse_half_spaces(roots);
   tree_ = BooleanTree(expression, roots);
@@ -141,7 +141,7 @@ Compound::Compound(Expression expression, std::span<const Expression::Term> root
     items_.push_back(p.item);
     if (p.item.kind == Item::Kind::unit) items_.back().index = number[p.item.index];
   }
-  bvh_ = Bvh(boxes, first);
+  bvh_ = Bvh(boxes, first, pool);
 }
 
 Compound::Item Compound::leaf_item(std::uint32_t leaf) const {

@@ -35,9 +35,10 @@ class Compound {
   };
 
   Compound() = default;
-  /// The outermost hierarchy also holds `guests`, boxes of other things.
+  /// The outermost hierarchy also holds `guests`, boxes of other things. Without a pool this thread
+  /// does it alone, with the same result.
   Compound(Expression expression, std::span<const Expression::Term> roots,
-           std::span<const Box3d> guests = {});
+           std::span<const Box3d> guests = {}, ThreadPool* pool = nullptr);
 
   const Leaf& leaf(std::uint32_t index) const { return leaves_[index]; }
   const std::vector<Leaf>& leaves() const { return leaves_; }

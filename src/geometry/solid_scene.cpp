@@ -27,9 +27,10 @@ double reach_of(const Box3d& box) {
 
 }  // namespace
 
-SolidScene::SolidScene(Parts parts) : regions_(std::move(parts.regions)) {
+SolidScene::SolidScene(Parts parts, ThreadPool* pool) : regions_(std::move(parts.regions)) {
   for (Assembly& assembly : parts.assemblies) {
-    assemblies_.emplace_back(std::move(assembly.expression), std::span(&assembly.root, 1));
+    assemblies_.emplace_back(std::move(assembly.expression), std::span(&assembly.root, 1),
+                             std::span<const Box3d>{}, pool);
   }
   std::vector<Term> roots;
   std::vector<Box3d> guests;
@@ -49,7 +50,7 @@ SolidScene::SolidScene(Parts parts) : regions_(std::move(parts.regions)) {
     guests.push_back(region_bounds_[i]);
     if (assemblies_[instance.assembly].tree().roots_at_rest()[0]) at_rest_.push_back(i);
   }
-  world_ = Compound(std::move(parts.expression), roots, guests);
+  world_ = Compound(std::move(parts.expression), roots, guests, pool);
   for (std::size_t root = 0; root < roots.size(); ++root) {
     const std::uint32_t region = root_regions_[root];
     region_bounds_[region] = world_.bounds(root);

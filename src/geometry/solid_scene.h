@@ -40,7 +40,8 @@ class SolidScene {
   };
 
   SolidScene() = default;
-  explicit SolidScene(Parts parts);
+  /// Without a pool this thread does it alone, with the same result.
+  explicit SolidScene(Parts parts, ThreadPool* pool = nullptr);
 
   const Compound& world() const { return world_; }
   const std::vector<Compound>& assemblies() const { return assemblies_; }

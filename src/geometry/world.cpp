@@ -14,7 +14,7 @@ Vec3d facing(Vec3d n, Vec3d side) {
 }  // namespace
 
 World::World(Parts parts, ThreadPool& pool, const TriangleScene* earlier)
-    : solids_(std::move(parts.solids)),
+    : solids_(std::move(parts.solids), &pool),
       stated_sheets_(std::move(parts.sheets)),
       bounds_(solids_.bounded_part()) {
   std::vector<Box3d> boxes;
