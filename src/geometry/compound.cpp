@@ -1,6 +1,11 @@
 #include "geometry/compound.h"
 
 #include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include "geometry/content_order.h"
+#include "math/same_bits.h"
 
 namespace lapidary::geometry {
 
@@ -78,7 +83,11 @@ std::vector<bool> in_one_piece(const BooleanTree& tree, std::span<const Box3d> l
 
 Compound::Compound(Expression expression, std::span<const Expression::Term> roots,
                    std::span<const Box3d> guests, ThreadPool* pool)
-    : stated_leaves_(expression.leaves().size()) {
+    : stated_{expression.nodes(),
+              expression.operands(),
+              {roots.begin(), roots.end()},
+              {guests.begin(), guests.end()}},
+      stated_leaves_(expression.leaves().size()) {
   expression.fuse_half_spaces(roots);
   tree_ = BooleanTree(expression, roots);
   leaves_ = expression.take_leaves();
@@ -144,6 +153,51 @@ Compound::Compound(Expression expression, std::span<const Expression::Term> root
   bvh_ = Bvh(boxes, first, pool);
 }
 
+namespace {
+
+/// Whether the tags of half-spaces are in the same order in both, equal ones included.
+bool tags_fuse_alike(std::span<const Compound::Leaf> a, std::span<const Compound::Leaf> b) {
+  using Pair = std::pair<SurfaceTag, SurfaceTag>;
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!std::holds_alternative<HalfSpace>(a[i].solid.shape())) continue;
+    const Pair pair(a[i].tag, b[i].tag);
+    if (pairs.empty() || pairs.back() != pair) pairs.push_back(pair);
+  }
+  std::ranges::sort(pairs);
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  const auto breaks = [](const Pair& p, const Pair& q) {
+    return p.first == q.first || p.second >= q.second;
+  };
+  return std::ranges::adjacent_find(pairs, breaks) == pairs.end();
+}
+
+}  // namespace
+
+Compound::Likeness Compound::likeness(const Expression& expression,
+                                      std::span<const Expression::Term> roots,
+                                      std::span<const Box3d> guests, ThreadPool* pool) const {
+  const auto stated = std::span(leaves_).first(stated_leaves_);
+  const std::span<const Leaf> leaves = expression.leaves();
+  const auto same_box = [](const Box3d& a, const Box3d& b) { return same_bits(a, b); };
+  if (stated.size() != leaves.size() || stated_.nodes != expression.nodes() ||
+      stated_.operands != expression.operands() || !std::ranges::equal(stated_.roots, roots) ||
+      !std::ranges::equal(stated_.guests, guests, same_box)) {
+    return Likeness::different;
+  }
+  constexpr std::size_t grain = std::size_t{1} << 14;
+  std::atomic<bool> same = true, same_tags = true;
+  parallel_for(pool, leaves.size(), grain, [&](IndexRange piece) {
+    for (std::size_t i = piece.begin; i < piece.end && same; ++i) {
+      if (!is_same(stated[i].solid, leaves[i].solid)) same = false;
+      if (stated[i].tag != leaves[i].tag) same_tags = false;
+    }
+  });
+  if (!same) return Likeness::different;
+  if (same_tags) return Likeness::same;
+  return tags_fuse_alike(stated, leaves) ? Likeness::but_for_tags : Likeness::different;
+}
+
 Compound::Item Compound::leaf_item(std::uint32_t leaf) const {
   const auto links = tree_.leaf_links(leaf);
   const bool at_rest = !links.empty() && links.front().is_complement();
@@ -159,8 +213,12 @@ Compound::Item Compound::feeding(Item item, std::span<const Link> links, bool at
 }
 
 std::size_t Compound::bytes() const {
-  return leaves_.size() * sizeof(Leaf) + fused_parts_.size() * 4 + tree_.bytes() + bvh_.bytes() +
-         (items_.size() + unbounded_.size()) * sizeof(Item) + root_bounds_.size() * sizeof(Box3d);
+  const std::size_t stated = stated_.nodes.size() * sizeof(Expression::Node) +
+                             (stated_.operands.size() + stated_.roots.size()) * 4 +
+                             stated_.guests.size() * sizeof(Box3d);
+  return stated + leaves_.size() * sizeof(Leaf) + fused_parts_.size() * 4 + tree_.bytes() +
+         bvh_.bytes() + (items_.size() + unbounded_.size()) * sizeof(Item) +
+         root_bounds_.size() * sizeof(Box3d);
 }
 
 }  // namespace lapidary::geometry

@@ -155,8 +155,8 @@ struct HashOfWorn {
 /// Takes the leaves of a scene one by one.
 class Assembler {
  public:
-  Assembler(const description::SceneDescription& scene, std::size_t most)
-      : scene_(scene), most_(most), media_(solids_.media) {}
+  Assembler(const description::SceneDescription& scene, MeshSolids& meshes, std::size_t most)
+      : scene_(scene), most_(most), media_(solids_.media), meshes_(meshes) {}
 
   Solids assemble() {
     for_each_leaf([this](const Leaf& leaf) {
@@ -203,7 +203,7 @@ class Assembler {
   std::size_t most_;  ///< leaves of an expression
   Solids solids_;
   Media media_;
-  MeshSolids meshes_;
+  MeshSolids& meshes_;
   std::map<Design, Uses> uses_;
   bool cut_by_scene_ = false;  ///< whether the current leaf is
   std::uint32_t object_ = 0;   ///< number of the current leaf
@@ -308,8 +308,16 @@ geometry::SolidScene::Parts geometry_parts(Solids&& solids) {
   return parts;
 }
 
+Solids assemble(const description::SceneDescription& scene, MeshSolids& meshes, std::size_t most) {
+  meshes.begin_scene();
+  Solids solids = Assembler(scene, meshes, most).assemble();
+  meshes.end_scene();
+  return solids;
+}
+
 Solids assemble(const description::SceneDescription& scene, std::size_t most) {
-  return Assembler(scene, most).assemble();
+  MeshSolids meshes;
+  return assemble(scene, meshes, most);
 }
 
 }  // namespace lapidary::scene
