@@ -60,6 +60,16 @@ namespace {
 
 using Link = BooleanTree::Link;
 
+constexpr std::size_t grain = std::size_t{1} << 14;
+
+std::vector<Box3d> bounds_of(std::span<const Compound::Leaf> leaves, ThreadPool* pool) {
+  std::vector<Box3d> boxes(leaves.size());
+  parallel_for(pool, leaves.size(), grain, [&](IndexRange piece) {
+    for (std::size_t i = piece.begin; i < piece.end; ++i) boxes[i] = bounds(leaves[i].solid);
+  });
+  return boxes;
+}
+
 /// Of nodes: everything that they are made of feeds nothing else, and has bounds.
 std::vector<bool> in_one_piece(const BooleanTree& tree, std::span<const Box3d> leaf_boxes) {
   std::vector<bool> result(tree.nodes().size(), true);
@@ -92,10 +102,7 @@ Compound::Compound(Expression expression, std::span<const Expression::Term> root
   tree_ = BooleanTree(expression, roots);
   leaves_ = expression.take_leaves();
   fused_parts_ = expression.take_fused_parts();
-  std::vector<Box3d> leaf_bounds;
-  leaf_bounds.reserve(leaves_.size());
-  for (const Leaf& leaf : leaves_) leaf_bounds.push_back(geometry::bounds(leaf.solid));
-  ClippedBounds clipped = clipped_bounds(tree_, leaf_bounds);
+  ClippedBounds clipped = clipped_bounds(tree_, bounds_of(leaves_, pool));
   root_bounds_ = std::move(clipped.roots);
   Units units(tree_);
   struct Placed {
@@ -185,7 +192,6 @@ Compound::Likeness Compound::likeness(const Expression& expression,
       !std::ranges::equal(stated_.guests, guests, same_box)) {
     return Likeness::different;
   }
-  constexpr std::size_t grain = std::size_t{1} << 14;
   std::atomic<bool> same = true, same_tags = true;
   parallel_for(pool, leaves.size(), grain, [&](IndexRange piece) {
     for (std::size_t i = piece.begin; i < piece.end && same; ++i) {
