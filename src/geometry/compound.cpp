@@ -104,59 +104,56 @@ Compound::Compound(Expression expression, std::span<const Expression::Term> root
   fused_parts_ = expression.take_fused_parts();
   ClippedBounds clipped = clipped_bounds(tree_, bounds_of(leaves_, pool));
   root_bounds_ = std::move(clipped.roots);
-  Units units(tree_);
-  struct Placed {
-    Item item;
-    std::uint32_t unit;
-    Box3d box;
-  };
-  std::vector<Placed> placed;
-  placed.reserve(leaves_.size() + guests.size() + units.count());
-  std::vector<Box3d> unit_boxes(units.count());
-  const auto place = [&](Item item, std::uint32_t unit, const Box3d& box) {
-    if (box.empty()) return;
-    if (!box.bounded()) return unbounded_.push_back(item);
-    unit_boxes[unit].extend(box);
-    placed.push_back({item, unit, box});
-  };
   for (std::uint32_t i = 0; i < leaves_.size(); ++i) {
     if (!clipped.leaves[i].empty()) live_leaves_ += std::max<std::size_t>(1, parts(i).size());
-    place(leaf_item(i), units.of_leaf(i), clipped.leaves[i]);
   }
-  for (std::uint32_t i = 0; i < guests.size(); ++i) {
-    place({i, Item::no_node, Item::Kind::guest}, 0, guests[i]);
-  }
-  const std::vector<bool> whole = in_one_piece(tree_, clipped.leaves);
-  for (auto i = static_cast<std::uint32_t>(units.count()); i-- > 1;) {
-    const std::uint32_t node = units.nodes[i];
-    Item unit{i, Item::no_node, Item::Kind::unit};
-    if (whole[node]) {
-      unit = feeding(unit, tree_.node_links(node), tree_.nodes()[node].is_true_at_rest());
+  build_hierarchies(clipped.leaves, guests, pool);
+}
+
+void Compound::build_hierarchies(std::span<const Box3d> leaf_boxes, std::span<const Box3d> guests,
+                                 ThreadPool* pool) {
+  const Units units(tree_);
+  const std::vector<bool> whole = in_one_piece(tree_, leaf_boxes);
+  std::vector<Box3d> unit_boxes(units.count());
+  // In the order in which items stand in their hierarchy; a unit comes after all that it holds.
+  const auto for_each_item = [&](const auto& visit) {
+    for (std::uint32_t i = 0; i < leaves_.size(); ++i) {
+      if (!leaf_boxes[i].empty()) visit(leaf_item(i), units.of_leaf(i), leaf_boxes[i]);
     }
-    place(unit, units.parents[i], unit_boxes[i]);
-  }
+    for (std::uint32_t i = 0; i < guests.size(); ++i) {
+      const Item guest{i, Item::no_node, Item::Kind::guest};
+      if (!guests[i].empty()) visit(guest, 0, guests[i]);
+    }
+    for (auto i = static_cast<std::uint32_t>(units.count()); i-- > 1;) {
+      const Item unit = unit_item(i, units.nodes[i], whole[units.nodes[i]]);
+      if (!unit_boxes[i].empty()) visit(unit, units.parents[i], unit_boxes[i]);
+    }
+  };
+  std::vector<std::uint32_t> next(units.count());  // counts at first
+  for_each_item([&](const Item& item, std::uint32_t unit, const Box3d& box) {
+    if (!box.bounded()) return unbounded_.push_back(item);
+    unit_boxes[unit].extend(box);
+    ++next[unit];
+  });
   bounded_part_ = unit_boxes[0];
 
-  if (units.count() > 1) {
-    std::stable_sort(placed.begin(), placed.end(),
-                     [](const Placed& a, const Placed& b) { return a.unit < b.unit; });
-  }
   // Units of which nothing is left have no hierarchy; the others are numbered anew.
-  std::vector<std::uint32_t> number(units.count(), 0), first;
-  std::vector<Box3d> boxes;
-  boxes.reserve(placed.size());
-  for (const Placed& p : placed) {
-    if (boxes.empty() || p.unit != placed[boxes.size() - 1].unit) {
-      number[p.unit] = static_cast<std::uint32_t>(first.size());
-      first.push_back(static_cast<std::uint32_t>(boxes.size()));
-    }
-    boxes.push_back(p.box);
+  std::vector<std::uint32_t> number(units.count()), first;
+  std::uint32_t sum = 0;
+  for (std::uint32_t unit = 0; unit < units.count(); ++unit) {
+    number[unit] = static_cast<std::uint32_t>(first.size());
+    if (next[unit] > 0) first.push_back(sum);
+    sum += std::exchange(next[unit], sum);
   }
-  items_.reserve(placed.size());
-  for (const Placed& p : placed) {
-    items_.push_back(p.item);
-    if (p.item.kind == Item::Kind::unit) items_.back().index = number[p.item.index];
-  }
+  items_.resize(sum);
+  std::vector<Box3d> boxes(sum);
+  for_each_item([&](const Item& item, std::uint32_t unit, const Box3d& box) {
+    if (!box.bounded()) return;
+    const std::uint32_t at = next[unit]++;
+    boxes[at] = box;
+    items_[at] = item;
+    if (item.kind == Item::Kind::unit) items_[at].index = number[item.index];
+  });
   bvh_ = Bvh(boxes, first, pool);
 }
 
@@ -208,6 +205,13 @@ Compound::Item Compound::leaf_item(std::uint32_t leaf) const {
   const auto links = tree_.leaf_links(leaf);
   const bool at_rest = !links.empty() && links.front().is_complement();
   return feeding({leaf, Item::no_node, Item::Kind::leaf}, links, at_rest);
+}
+
+/// Of which no part is met elsewhere if it is whole.
+Compound::Item Compound::unit_item(std::uint32_t unit, std::uint32_t node, bool is_whole) const {
+  const Item item{unit, Item::no_node, Item::Kind::unit};
+  return is_whole ? feeding(item, tree_.node_links(node), tree_.nodes()[node].is_true_at_rest())
+                  : item;
 }
 
 /// `at_rest`: what the item feeds there.

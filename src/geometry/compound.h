@@ -90,7 +90,10 @@ class Compound {
     std::vector<Box3d> guests;
   };
 
+  void build_hierarchies(std::span<const Box3d> leaf_boxes, std::span<const Box3d> guests,
+                         ThreadPool* pool);
   Item leaf_item(std::uint32_t leaf) const;
+  Item unit_item(std::uint32_t unit, std::uint32_t node, bool is_whole) const;
   Item feeding(Item item, std::span<const Link> links, bool at_rest) const;
 
   Stated stated_;
