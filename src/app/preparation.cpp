@@ -49,10 +49,8 @@ Preparation::Preparation(const RenderCommand& command, film::Layers layers, cons
   seconds_.load = clock.lap();
 
   with.display.begin(Phase::build, command.scene.frame);
-  scene_.emplace(
-      scene::build(description_, {settings.size, with.pool, with.warnings, settings.light_choice,
-                                  with.files, &with.kept.triangles}));
-  with.kept.triangles = scene_->world().triangles();
+  scene_.emplace(scene::build(description_, {settings.size, with.pool, with.warnings,
+                                             settings.light_choice, with.files, &with.kept.scene}));
   inspect::warn_about_averted_lights(description_, with.warnings);
   inspect::warn_about_empty_solids(description_, *scene_, with.warnings);
   inspect::warn_about_buried_camera(description_, *scene_, with.warnings);

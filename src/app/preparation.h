@@ -9,10 +9,10 @@
 #include "base/parallel.h"
 #include "description/scene_description.h"
 #include "film/film.h"
-#include "geometry/triangle_scene.h"
 #include "import/scene_files.h"
 #include "render/block.h"
 #include "render/render.h"
+#include "scene/build.h"
 #include "scene/scene.h"
 
 namespace lapidary::app {
@@ -20,7 +20,7 @@ namespace lapidary::app {
 /// What one frame of an animation leaves to the next.
 struct Kept {
   import::SceneFiles files;
-  geometry::TriangleScene triangles;
+  scene::Kept scene;
 };
 
 /// What the work on a picture needs beside its command.

@@ -43,4 +43,11 @@ class ThreadPool {
   std::unique_ptr<State> state_;
 };
 
+/// The same on this thread alone where there is no pool: in one piece.
+inline void parallel_for(ThreadPool* pool, std::size_t count, std::size_t grain,
+                         const std::function<void(IndexRange)>& body) {
+  if (pool != nullptr) return pool->parallel_for(count, grain, body);
+  if (count > 0) body({0, count});
+}
+
 }  // namespace lapidary

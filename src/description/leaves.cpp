@@ -48,6 +48,11 @@ Inherited inside(const Object& object, const Inherited& above) {
   return here;
 }
 
+/// Whether it hands down anything but what is above it.
+bool adds_something(const Object& object) {
+  return object.motion || object.placement || object.material || object.attributes;
+}
+
 class LeafWalk {
  public:
   explicit LeafWalk(const std::function<void(const Leaf&)>& visit) : visit_(visit) {}
@@ -63,7 +68,11 @@ class LeafWalk {
       }
       const Object& object = *level.rest.front();
       level.rest = level.rest.subspan(1);
-      enter(object, inside(object, level.inherited));
+      if (adds_something(object)) {
+        enter(object, inside(object, level.inherited));
+      } else {
+        enter(object, level.inherited);
+      }
     }
   }
 
@@ -74,9 +83,10 @@ class LeafWalk {
     std::size_t removed;  ///< by the sections around this level
   };
 
-  void enter(const Object& object, Inherited here) {
+  /// `here` may be that of a level: it does not outlive another.
+  void enter(const Object& object, const Inherited& here) {
     if (const auto* group = std::get_if<std::shared_ptr<const Group>>(&object.content)) {
-      levels_.push_back({(*group)->children, std::move(here), removed_.size()});
+      levels_.push_back(Level{(*group)->children, here, removed_.size()});
       return;
     }
     const Combination* combination = object.combination();
@@ -85,7 +95,7 @@ class LeafWalk {
       for (const ObjectPtr& removed : operands.subspan(1)) {
         removed_.push_back({removed, here.world_from_parent});
       }
-      levels_.push_back({operands.first(1), std::move(here), removed_.size()});
+      levels_.push_back(Level{operands.first(1), here, removed_.size()});
       return;
     }
     visit_({object, here.world_from_parent, here.material, here.world_from_wearer, here.name,

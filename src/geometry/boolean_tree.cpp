@@ -210,9 +210,9 @@ class ConstantOutside {
 
 }  // namespace
 
-ClippedBounds clipped_bounds(const BooleanTree& tree, std::span<const Box3d> leaf_bounds) {
+ClippedBounds clipped_bounds(const BooleanTree& tree, std::vector<Box3d> leaf_bounds) {
   ConstantOutside outside(tree, leaf_bounds);
-  ClippedBounds result{{}, outside.take_roots()};
+  ClippedBounds result{std::move(leaf_bounds), outside.take_roots()};
   std::vector<Box3d> clips(tree.nodes().size());
   const auto clip_of = [&](std::span<const BooleanTree::Link> links) {
     Box3d clip;
@@ -225,9 +225,8 @@ ClippedBounds clipped_bounds(const BooleanTree& tree, std::span<const Box3d> lea
   for (std::uint32_t i = 0; i < clips.size(); ++i) {
     clips[i] = common(outside.changes(i), clip_of(tree.node_links(i)));
   }
-  result.leaves.resize(leaf_bounds.size());
-  for (std::uint32_t i = 0; i < leaf_bounds.size(); ++i) {
-    result.leaves[i] = common(leaf_bounds[i], clip_of(tree.leaf_links(i)));
+  for (std::uint32_t i = 0; i < result.leaves.size(); ++i) {
+    result.leaves[i] = common(result.leaves[i], clip_of(tree.leaf_links(i)));
   }
   return result;
 }

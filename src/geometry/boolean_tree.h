@@ -87,6 +87,6 @@ struct ClippedBounds {
 /// half-space in a chamfered box by the box. Source: Cameron 1991 (S-bounds). By duality a union is
 /// true outside of the common part of the bounds of what it has complements of: in a - (b - c),
 /// which is a and (not b or c), c matters inside of b only.
-ClippedBounds clipped_bounds(const BooleanTree& tree, std::span<const Box3d> leaf_bounds);
+ClippedBounds clipped_bounds(const BooleanTree& tree, std::vector<Box3d> leaf_bounds);
 
 }  // namespace lapidary::geometry

@@ -10,6 +10,7 @@
 
 #include <immintrin.h>
 
+#include "base/parallel.h"
 #include "geometry/interval_events.h"
 #include "math/interval.h"
 
@@ -22,12 +23,13 @@ namespace lapidary::geometry {
 class Bvh {
  public:
   Bvh() = default;
-  /// Every box must be bounded. Binned surface-area heuristic (Wald 2007), collapsed to width 8
-  /// (Wald, Benthin & Boulos 2008).
+  /// Every box must be bounded, and none empty. How it is built: geometry/bvh_split.h.
   explicit Bvh(std::span<const Box3d> boxes);
   /// Several hierarchies in one: number k holds the items from `first[k]` up to `first[k + 1]`, or
-  /// to the end. Items keep their numbers. Each has to hold something.
-  Bvh(std::span<const Box3d> boxes, std::span<const std::uint32_t> first);
+  /// to the end. Items keep their numbers. Each has to hold something. Without a pool this thread
+  /// does it alone, with the same result.
+  Bvh(std::span<const Box3d> boxes, std::span<const std::uint32_t> first,
+      ThreadPool* pool = nullptr);
 
   /// Calls `visit(item, t_max)` for the items whose boxes `line` meets at some t in [0, t_max],
   /// nearer boxes first as far as nodes allow. `visit` may lower `t_max`, and ends the walk by

@@ -18,6 +18,7 @@ namespace lapidary::geometry {
 /// units are nested at most log2(leaves) deep, even where the tree is a chain.
 class Compound {
  public:
+  /// With the tag that it had when this was built: see `Likeness`.
   using Leaf = Expression::Leaf;
   using Link = BooleanTree::Link;
 
@@ -35,9 +36,17 @@ class Compound {
   };
 
   Compound() = default;
-  /// The outermost hierarchy also holds `guests`, boxes of other things.
+  /// The outermost hierarchy also holds `guests`, boxes of other things. Without a pool this thread
+  /// does it alone, with the same result.
   Compound(Expression expression, std::span<const Expression::Term> roots,
-           std::span<const Box3d> guests = {});
+           std::span<const Box3d> guests = {}, ThreadPool* pool = nullptr);
+
+  /// How this compares to what the constructor would make of something, to the bit.
+  enum class Likeness : std::uint8_t { different, but_for_tags, same };
+  /// But for tags: where those of half-spaces have the same order, which decides what is fused, no
+  /// others change anything else.
+  Likeness likeness(const Expression& expression, std::span<const Expression::Term> roots,
+                    std::span<const Box3d> guests = {}, ThreadPool* pool = nullptr) const;
 
   const Leaf& leaf(std::uint32_t index) const { return leaves_[index]; }
   const std::vector<Leaf>& leaves() const { return leaves_; }
@@ -74,10 +83,20 @@ class Compound {
 
  private:
   struct Units;
+  /// What it was built of, but for the leaves.
+  struct Stated {
+    std::vector<Expression::Node> nodes;
+    std::vector<Expression::Term> operands, roots;
+    std::vector<Box3d> guests;
+  };
 
+  void build_hierarchies(std::span<const Box3d> leaf_boxes, std::span<const Box3d> guests,
+                         ThreadPool* pool);
   Item leaf_item(std::uint32_t leaf) const;
+  Item unit_item(std::uint32_t unit, std::uint32_t node, bool is_whole) const;
   Item feeding(Item item, std::span<const Link> links, bool at_rest) const;
 
+  Stated stated_;
   std::vector<Leaf> leaves_;
   std::vector<std::uint32_t> fused_parts_;
   BooleanTree tree_;

@@ -3,6 +3,8 @@
 #include <cstring>
 #include <type_traits>
 
+#include "math/same_bits.h"
+
 namespace lapidary::geometry {
 namespace {
 
@@ -58,6 +60,27 @@ int compare(const Solid& a, const Solid& b) {
       a);
 }
 
+/// Where the order of content does not tell all.
+template <typename Kind>
+bool is_same(const Kind& a, const Kind& b) {
+  return compare(a, b) == 0;
+}
+
+bool is_same(const MeshBody& a, const MeshBody& b) {
+  return is_same_surface(a.mesh(), b.mesh());
+}
+
+bool is_same(const Polyhedron& a, const Polyhedron& b) {
+  return has_same_content(a, b);
+}
+
+bool is_same(const Solid& a, const Solid& b) {
+  if (a.index() != b.index()) return false;
+  return std::visit(
+      [&](const auto& kind) { return is_same(kind, std::get<std::decay_t<decltype(kind)>>(b)); },
+      a);
+}
+
 int compare(const Transform& a, const Transform& b) {
   const Vec3d offset_a = a.offset(), offset_b = b.offset();
   const int linear = std::memcmp(&a.linear(), &b.linear(), sizeof(Mat3));
@@ -65,6 +88,17 @@ int compare(const Transform& a, const Transform& b) {
 }
 
 }  // namespace
+
+bool is_same(const PlacedSolid& a, const PlacedSolid& b) {
+  if (a.space() != b.space() || !is_same(a.shape(), b.shape())) return false;
+  if (!a.has_same_errors(b)) return false;
+  const OwnSpace *p = a.own_space(), *q = b.own_space();
+  if (p == q) return true;
+  if (p == nullptr || q == nullptr || !is_same(a.solid(), b.solid())) return false;
+  // With its inverse, which is not always what one would compute of it.
+  static_assert(sizeof(Transform) == 2 * (sizeof(Mat3) + sizeof(Vec3d)));
+  return same_bits(p->world_from_own(), q->world_from_own());
+}
 
 bool content_less(const PlacedSolid& a, const PlacedSolid& b) {
   const int shape = compare(a.shape(), b.shape());

@@ -55,6 +55,7 @@ class Expression {
     Operation operation;
     std::uint32_t first;  ///< of its operands
     std::uint32_t count;
+    bool operator==(const Node&) const = default;
   };
 
   /// Terms of this expression, at most 2^30 leaves and as many nodes.
@@ -64,6 +65,8 @@ class Expression {
 
   const std::vector<Leaf>& leaves() const { return leaves_; }
   const std::vector<Node>& nodes() const { return nodes_; }
+  /// Of all nodes, in their order.
+  const std::vector<Term>& operands() const { return operands_; }
   std::span<const Term> operands(const Node& node) const {
     return {operands_.data() + node.first, node.count};
   }

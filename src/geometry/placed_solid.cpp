@@ -7,6 +7,7 @@
 #include "geometry/curved_placement.h"
 #include "geometry/rounded_bounds.h"
 #include "math/frame.h"
+#include "math/same_bits.h"
 
 namespace lapidary::geometry {
 namespace {
@@ -148,6 +149,10 @@ std::optional<PlacedSolid> PlacedSolid::fused(std::span<const PlacedSolid> half_
     fused.origin_ = std::make_shared<const Origin>(Origin{*solid, *space});
   }
   return fused;
+}
+
+bool PlacedSolid::has_same_errors(const PlacedSolid& b) const {
+  return same_bits(surface_error_, b.surface_error_) && same_bits(angle_error_, b.angle_error_);
 }
 
 const Transform& PlacedSolid::world_from_solid() const {

@@ -40,6 +40,8 @@ class PlacedSolid {
   /// Bound on the displacement of a baked image's surface by rounding; 0 in own space.
   double surface_error() const { return surface_error_; }
 
+  /// Whether rounding has done the same to both, to the bit.
+  bool has_same_errors(const PlacedSolid& b) const;
   /// Whether `shape` meets lines just as they are.
   bool takes_world_lines() const {
     return space_ == Space::world && surface_error_ == 0.0 && angle_error_ == 0.0;

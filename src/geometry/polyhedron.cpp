@@ -8,6 +8,7 @@
 #include "geometry/affine_area.h"
 #include "geometry/convex_hull.h"
 #include "geometry/polyhedron_data.h"
+#include "math/same_bits.h"
 #include "sampling/warp.h"
 
 namespace lapidary::geometry {
@@ -53,6 +54,17 @@ Data::Data(std::vector<HalfSpace> faces_, double normal_roundings_, std::vector<
     area_to.push_back(area += length(n));
     volume += dot(piece.corners[0] - tip, n) / 3.0;
   }
+}
+
+/// All else follows from this.
+bool has_same_content(const Polyhedron& a, const Polyhedron& b) {
+  const Data &p = *a.data_, &q = *b.data_;
+  if (&p == &q) return true;
+  const auto same_piece = [](const Data::Piece& x, const Data::Piece& y) {
+    return same_bits(x.corners, y.corners) && x.patch == y.patch;
+  };
+  return same_bits(p.faces, q.faces) && same_bits(p.normal_roundings, q.normal_roundings) &&
+         same_bits(p.box, q.box) && std::ranges::equal(p.pieces, q.pieces, same_piece);
 }
 
 std::optional<Polyhedron> intersection(std::span<const HalfSpace> half_spaces) {

@@ -32,6 +32,7 @@ class Polyhedron {
   friend Polyhedron hull_of(std::span<const Vec3d> points);
   explicit Polyhedron(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
+  friend bool has_same_content(const Polyhedron& a, const Polyhedron& b);
   friend void intervals(const Polyhedron& polyhedron, const Line& line, EventBuffer& events);
   friend Vec3d outward_normal(const Polyhedron& polyhedron, Patch patch, Vec3d p);
   friend SurfaceUv surface_uv(const Polyhedron& polyhedron, Patch patch, Vec3d p);
@@ -58,6 +59,9 @@ std::optional<Polyhedron> intersection(std::span<const HalfSpace> half_spaces);
 /// no part of it; both are decided exactly (geometry/convex_hull.h).
 /// Failure: throws Error, without a place, when all points lie in one plane.
 Polyhedron hull_of(std::span<const Vec3d> points);
+
+/// To the bit.
+bool has_same_content(const Polyhedron& a, const Polyhedron& b);
 
 /// Error analysis: each plane as in geometry/plane_crossing.h. The exact entry is the greatest of
 /// the exact entries, each within tau_i of t_i: between max(t_i - tau_i) and max(t_i + tau_i). The

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace lapidary::geometry {
 namespace {
@@ -27,38 +28,95 @@ double reach_of(const Box3d& box) {
 
 }  // namespace
 
-SolidScene::SolidScene(Parts parts) : regions_(std::move(parts.regions)) {
-  for (Assembly& assembly : parts.assemblies) {
-    assemblies_.emplace_back(std::move(assembly.expression), std::span(&assembly.root, 1));
-  }
-  std::vector<Term> roots;
-  std::vector<Box3d> guests;
+SolidScene::SolidScene(Parts parts, ThreadPool* pool, Compounds* kept)
+    : regions_(std::move(parts.regions)) {
+  Compounds nothing;
+  Compounds& earlier = kept != nullptr ? *kept : nothing;
   region_bounds_.resize(regions_.size());
-  for (std::uint32_t i = 0; i < regions_.size(); ++i) {
-    if (regions_[i].instance == Region::no_instance) {
-      roots.push_back(regions_[i].root);
-      root_regions_.push_back(i);
-      continue;
-    }
-    const Instance& instance = parts.instances[regions_[i].instance];
-    const Box3d& own = assemblies_[instance.assembly].bounds(0);
-    places_.push_back({i, instance.assembly, OwnSpace(instance.world_from_assembly),
-                       reach_of(assemblies_[instance.assembly].bounded_part()), instance.motion});
-    region_bounds_[i] = instance.motion ? instance.motion->swept(own)
-                                        : world_box(own, instance.world_from_assembly);
-    guests.push_back(region_bounds_[i]);
-    if (assemblies_[instance.assembly].tree().roots_at_rest()[0]) at_rest_.push_back(i);
-  }
-  world_ = Compound(std::move(parts.expression), roots, guests);
-  for (std::size_t root = 0; root < roots.size(); ++root) {
-    const std::uint32_t region = root_regions_[root];
-    region_bounds_[region] = world_.bounds(root);
-    if (world_.tree().roots_at_rest()[root]) at_rest_.push_back(region);
-  }
+  build_assemblies(std::move(parts.assemblies), earlier, pool);
+  const std::vector<Box3d> guests = place_instances(parts.instances);
+  build_world(std::move(parts.expression), guests, earlier, pool);
   for (const Box3d& box : region_bounds_) {
     if (box.bounded()) bounded_part_.extend(box);
   }
   rank_regions();
+  if (kept == nullptr) return;
+  kept->world = world_.compound;
+  for (const WornCompound& worn : assemblies_) kept->assemblies.push_back(worn.compound);
+}
+
+/// What was kept, if that is what would be built of these.
+std::optional<SolidScene::WornCompound> SolidScene::worn_again(
+    const std::shared_ptr<const Compound>& kept, const Expression& expression,
+    std::span<const Term> roots, std::span<const Box3d> guests, ThreadPool* pool) {
+  if (!kept) return std::nullopt;
+  const Compound::Likeness likeness = kept->likeness(expression, roots, guests, pool);
+  if (likeness == Compound::Likeness::different) return std::nullopt;
+  WornCompound worn{kept};
+  if (likeness == Compound::Likeness::same) return worn;
+  worn.tags.reserve(expression.leaves().size());
+  for (const Expression::Leaf& leaf : expression.leaves()) worn.tags.push_back(leaf.tag);
+  return worn;
+}
+
+void SolidScene::build_assemblies(std::vector<Assembly> stated, Compounds& kept, ThreadPool* pool) {
+  const auto earlier = std::exchange(kept.assemblies, {});
+  assemblies_.resize(stated.size());
+  std::size_t next = 0;  // the first to try: most keep their order
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    const std::span<const Term> root(&stated[i].root, 1);
+    for (std::size_t tried = 0; tried < earlier.size() && !assemblies_[i].compound; ++tried) {
+      const std::size_t at = (next + tried) % earlier.size();
+      const auto worn = worn_again(earlier[at], stated[i].expression, root, {}, pool);
+      if (!worn) continue;
+      assemblies_[i] = *worn;
+      next = at + 1;
+    }
+  }
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    if (assemblies_[i].compound) continue;
+    assemblies_[i].compound = std::make_shared<const Compound>(std::move(stated[i].expression),
+                                                               std::span(&stated[i].root, 1),
+                                                               std::span<const Box3d>{}, pool);
+  }
+}
+
+/// Returns the boxes of all.
+std::vector<Box3d> SolidScene::place_instances(const std::vector<Instance>& instances) {
+  std::vector<Box3d> guests;
+  for (std::uint32_t i = 0; i < regions_.size(); ++i) {
+    if (regions_[i].instance == Region::no_instance) continue;
+    const Instance& instance = instances[regions_[i].instance];
+    const Compound& own = assembly(instance.assembly);
+    places_.push_back({i, instance.assembly, OwnSpace(instance.world_from_assembly),
+                       reach_of(own.bounded_part()), instance.motion});
+    region_bounds_[i] = instance.motion ? instance.motion->swept(own.bounds(0))
+                                        : world_box(own.bounds(0), instance.world_from_assembly);
+    guests.push_back(region_bounds_[i]);
+    if (own.tree().roots_at_rest()[0]) at_rest_.push_back(i);
+  }
+  return guests;
+}
+
+void SolidScene::build_world(Expression expression, std::span<const Box3d> guests, Compounds& kept,
+                             ThreadPool* pool) {
+  std::vector<Term> roots;
+  for (std::uint32_t i = 0; i < regions_.size(); ++i) {
+    if (regions_[i].instance != Region::no_instance) continue;
+    roots.push_back(regions_[i].root);
+    root_regions_.push_back(i);
+  }
+  if (auto worn = worn_again(kept.world, expression, roots, guests, pool)) {
+    world_ = std::move(*worn);
+  } else {
+    kept.world = nullptr;
+    world_.compound = std::make_shared<const Compound>(std::move(expression), roots, guests, pool);
+  }
+  for (std::size_t root = 0; root < roots.size(); ++root) {
+    const std::uint32_t region = root_regions_[root];
+    region_bounds_[region] = world().bounds(root);
+    if (world().tree().roots_at_rest()[root]) at_rest_.push_back(region);
+  }
 }
 
 void SolidScene::rank_regions() {
@@ -127,16 +185,18 @@ std::optional<PatchPoint> SolidScene::point_at(std::uint32_t place, std::uint32_
 }
 
 std::size_t SolidScene::leaf_count() const {
-  std::size_t count = world_.stated_leaves();
-  for (const Place& place : places_) count += assemblies_[place.assembly].stated_leaves();
+  std::size_t count = world().stated_leaves();
+  for (const Place& place : places_) count += assembly(place.assembly).stated_leaves();
   return count;
 }
 
 std::size_t SolidScene::bytes() const {
   std::size_t bytes =
-      world_.bytes() + places_.size() * sizeof(Place) +
+      world().bytes() + world_.tags.size() * sizeof(SurfaceTag) + places_.size() * sizeof(Place) +
       regions_.size() * (sizeof(Region) + sizeof(Box3d) + 2 * sizeof(std::uint32_t));
-  for (const Compound& compound : assemblies_) bytes += compound.bytes();
+  for (const WornCompound& worn : assemblies_) {
+    bytes += worn.compound->bytes() + worn.tags.size() * sizeof(SurfaceTag);
+  }
   return bytes;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/compound.h"
@@ -39,11 +41,22 @@ class SolidScene {
     }
   };
 
-  SolidScene() = default;
-  explicit SolidScene(Parts parts);
+  /// What takes long to build, for the scene that comes after.
+  struct Compounds {
+    std::shared_ptr<const Compound> world;
+    std::vector<std::shared_ptr<const Compound>> assemblies;
+  };
 
-  const Compound& world() const { return world_; }
-  const std::vector<Compound>& assemblies() const { return assemblies_; }
+  SolidScene() = default;
+  /// Without a pool this thread does it alone, with the same result.
+  /// `kept` may be null, or those of a scene before this: what is the same of them is shared
+  /// instead of built again, the others are dropped before anything is built. They are left as
+  /// those of this scene, which is the same with and without them.
+  explicit SolidScene(Parts parts, ThreadPool* pool = nullptr, Compounds* kept = nullptr);
+
+  const Compound& world() const { return *world_.compound; }
+  const Compound& assembly(std::uint32_t index) const { return *assemblies_[index].compound; }
+  std::size_t assembly_count() const { return assemblies_.size(); }
   const std::vector<Place>& places() const { return places_; }
 
   std::size_t region_count() const { return regions_.size(); }
@@ -66,11 +79,16 @@ class SolidScene {
   /// Whether a ray that starts far from every solid meets none: then its sweep has nothing to find,
   /// and it is in no region.
   bool passes_by(const Bvh::Slabs& slabs, double t_max) const {
-    return world_.unbounded().empty() && at_rest_.empty() && !world_.bvh().may_meet(slabs, t_max);
+    return world().unbounded().empty() && at_rest_.empty() && !world().bvh().may_meet(slabs, t_max);
   }
 
   const Compound& compound(std::uint32_t place_number) const {
-    return place_number == 0 ? world_ : assemblies_[places_[place_number - 1].assembly];
+    return *worn(place_number).compound;
+  }
+  /// What a leaf of that compound wears: a leaf as it was stated.
+  SurfaceTag tag(std::uint32_t place_number, std::uint32_t leaf) const {
+    const WornCompound& at = worn(place_number);
+    return at.tags.empty() ? at.compound->leaf(leaf).tag : at.tags[leaf];
   }
   /// Of a leaf of the compound that stands at `place`, at the world point p of its boundary: unit
   /// length, out of the leaf.
@@ -90,13 +108,29 @@ class SolidScene {
   std::size_t bytes() const;
 
  private:
+  /// A compound with what its leaves wear.
+  struct WornCompound {
+    std::shared_ptr<const Compound> compound;
+    std::vector<SurfaceTag> tags = {};  ///< as stated; none: those it was built with
+  };
+  static std::optional<WornCompound> worn_again(const std::shared_ptr<const Compound>& kept,
+                                                const Expression& expression,
+                                                std::span<const Expression::Term> roots,
+                                                std::span<const Box3d> guests, ThreadPool* pool);
+  void build_assemblies(std::vector<Assembly> stated, Compounds& kept, ThreadPool* pool);
+  std::vector<Box3d> place_instances(const std::vector<Instance>& instances);
+  void build_world(Expression expression, std::span<const Box3d> guests, Compounds& kept,
+                   ThreadPool* pool);
   void rank_regions();
+  const WornCompound& worn(std::uint32_t place_number) const {
+    return place_number == 0 ? world_ : assemblies_[places_[place_number - 1].assembly];
+  }
 
   std::vector<Region> regions_;
   std::vector<std::uint32_t> ranks_, root_regions_, at_rest_;
-  std::vector<Compound> assemblies_;
+  std::vector<WornCompound> assemblies_;
   std::vector<Place> places_;
-  Compound world_;
+  WornCompound world_{std::make_shared<const Compound>()};
   std::vector<Box3d> region_bounds_;
   Box3d bounded_part_;
 };

@@ -138,7 +138,7 @@ void Sweep::open_item(std::uint32_t slot, Compound::Item item, double key) {
 
 void Sweep::open_place(std::uint32_t index) {
   const SolidScene::Place& place = scene_.places()[index];
-  const Compound& compound = scene_.assemblies()[place.assembly];
+  const Compound& compound = scene_.assembly(place.assembly);
   const Line line =
       place.at(ray_.time, [this](const OwnSpace& s) { return s.line(s_->slots[0].line); });
   // Near the boxes |t| is at most this, and so the displacement is bounded.

@@ -136,7 +136,7 @@ void Sweep::describe(const Change& change, Transition& found) {
   found.is_complement = shown.is_complement;
   found.worn_leaf = at.compound->stated_leaf(worn.leaf, worn.patch);
   found.worn_patch = found.worn_leaf == worn.leaf ? worn.patch : 0;  // fused: of a half-space
-  const SurfaceTag own = at.compound->leaf(found.worn_leaf).tag;
+  const SurfaceTag own = scene_.tag(at.place, found.worn_leaf);
   found.tag = own == inherited_surface ? scene_.region(region).tag : own;
   // Glass that ends at something opaque behind it shows that.
   const std::uint32_t other = enters ? change.before : change.after;

@@ -3,8 +3,15 @@
 #include <utility>
 
 #include "geometry/vertex_normals.h"
+#include "math/same_bits.h"
 
 namespace lapidary::geometry {
+
+bool is_same_surface(const TriangleMesh& a, const TriangleMesh& b) {
+  if (&a == &b) return true;
+  return same_bits(a.origin, b.origin) && same_bits(a.positions, b.positions) &&
+         same_bits(a.triangles, b.triangles) && same_bits(a.uvs, b.uvs);
+}
 
 Box3d bounds(const TriangleMesh& mesh) {
   Box3d box;

@@ -27,6 +27,10 @@ struct TriangleMesh {
   bool operator==(const TriangleMesh&) const = default;
 };
 
+/// Whether they have the same triangles and texture coordinates, to the bit: all that counts of a
+/// surface without normals of its own and in one material.
+bool is_same_surface(const TriangleMesh& a, const TriangleMesh& b);
+
 /// Of all vertices, used or not.
 Box3d bounds(const TriangleMesh& mesh);
 

@@ -13,8 +13,8 @@ Vec3d facing(Vec3d n, Vec3d side) {
 
 }  // namespace
 
-World::World(Parts parts, ThreadPool& pool, const TriangleScene* earlier)
-    : solids_(std::move(parts.solids)),
+World::World(Parts parts, ThreadPool& pool, Kept* kept)
+    : solids_(std::move(parts.solids), &pool, kept != nullptr ? &kept->solids : nullptr),
       stated_sheets_(std::move(parts.sheets)),
       bounds_(solids_.bounded_part()) {
   std::vector<Box3d> boxes;
@@ -24,7 +24,9 @@ World::World(Parts parts, ThreadPool& pool, const TriangleScene* earlier)
     sheets_.push_back(prepared(sheet));
   }
   sheet_bvh_ = Bvh(boxes);
-  triangles_ = TriangleScene(std::move(parts.meshes), pool, earlier);
+  triangles_ =
+      TriangleScene(std::move(parts.meshes), pool, kept != nullptr ? &kept->triangles : nullptr);
+  if (kept != nullptr) kept->triangles = triangles_;
   bounds_.extend(triangles_.bounds());
 }
 

@@ -41,10 +41,16 @@ class World {
     std::vector<MeshPlacement> meshes;
   };
 
+  /// What takes long to build, for the world that comes after.
+  struct Kept {
+    SolidScene::Compounds solids;
+    TriangleScene triangles;
+  };
+
   World() = default;
-  /// `earlier` are the triangles of a world before this, and may be null: what is the same of them
-  /// is not built again.
-  World(Parts parts, ThreadPool& pool, const TriangleScene* earlier = nullptr);
+  /// `kept` may be null, or those of a world before this: what is the same of them is not built
+  /// again. They are left as those of this world, which is the same with and without them.
+  World(Parts parts, ThreadPool& pool, Kept* kept = nullptr);
 
   /// The nearest surface at 0 < t < ray.t_max; kind none when there is none.
   ///

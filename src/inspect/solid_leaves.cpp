@@ -44,7 +44,7 @@ std::vector<Box3d> leaf_boxes(const geometry::Compound& compound) {
   for (const geometry::Compound::Leaf& leaf : compound.leaves()) {
     stated.push_back(geometry::bounds(leaf.solid));
   }
-  return geometry::clipped_bounds(compound.tree(), stated).leaves;
+  return geometry::clipped_bounds(compound.tree(), std::move(stated)).leaves;
 }
 
 }  // namespace lapidary::inspect

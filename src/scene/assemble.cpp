@@ -155,13 +155,20 @@ struct HashOfWorn {
 /// Takes the leaves of a scene one by one.
 class Assembler {
  public:
-  Assembler(const description::SceneDescription& scene, std::size_t most)
-      : scene_(scene), most_(most), media_(solids_.media) {}
+  Assembler(const description::SceneDescription& scene, MeshSolids& meshes, std::size_t most)
+      : scene_(scene), most_(most), media_(solids_.media), meshes_(meshes) {}
 
   Solids assemble() {
-    for_each_leaf([this](const Leaf& leaf) {
+    std::size_t bodies = 0, lone = 0;
+    for_each_leaf([&](const Leaf& leaf) {
       if (const auto design = design_of(leaf); design && !cut_by_scene_) ++uses_[*design].count;
+      if (!is_body(leaf)) return;
+      ++bodies;
+      if (leaf.object.combination() == nullptr) ++lone;
     });
+    solids_.regions.reserve(bodies);
+    solids_.slots.reserve(bodies);
+    solids_.expression.reserve(lone, 0);
     for_each_leaf([this](const Leaf& leaf) {
       if (is_body(leaf)) add(leaf);
     });
@@ -203,19 +210,27 @@ class Assembler {
   std::size_t most_;  ///< leaves of an expression
   Solids solids_;
   Media media_;
-  MeshSolids meshes_;
+  MeshSolids& meshes_;
   std::map<Design, Uses> uses_;
   bool cut_by_scene_ = false;  ///< whether the current leaf is
   std::uint32_t object_ = 0;   ///< number of the current leaf
-  /// Of the current leaf; those of a material with textures are one for each place.
+  /// Of the current leaf; those of a material with textures are one for each place. Most have one.
+  std::optional<std::pair<Worn, std::uint32_t>> first_slot_;
   std::unordered_map<Worn, std::uint32_t, HashOfWorn> own_slots_;
 };
 
 std::uint32_t Assembler::slot(const MaterialPtr& material, const TextureFrame& frame) {
-  const auto [found, is_new] = own_slots_.try_emplace(
-      {material.get(), frame}, static_cast<std::uint32_t>(solids_.slots.size()));
-  if (is_new) solids_.slots.push_back({object_, material, frame});
-  return found->second;
+  const auto next = static_cast<std::uint32_t>(solids_.slots.size());
+  const Worn worn{material.get(), frame};
+  if (!first_slot_) {
+    first_slot_ = {worn, next};
+  } else {
+    if (first_slot_->first == worn) return first_slot_->second;
+    const auto [found, is_new] = own_slots_.try_emplace(worn, next);
+    if (!is_new) return found->second;
+  }
+  solids_.slots.push_back({object_, material, frame});
+  return next;
 }
 
 SolidWriter::TagOf Assembler::tags(TextureFrame::Base base) {
@@ -226,6 +241,7 @@ SolidWriter::TagOf Assembler::tags(TextureFrame::Base base) {
 }
 
 void Assembler::add(const Leaf& leaf) {
+  first_slot_.reset();
   own_slots_.clear();
   SolidRegion added;
   added.object = object_;
@@ -308,8 +324,16 @@ geometry::SolidScene::Parts geometry_parts(Solids&& solids) {
   return parts;
 }
 
+Solids assemble(const description::SceneDescription& scene, MeshSolids& meshes, std::size_t most) {
+  meshes.begin_scene();
+  Solids solids = Assembler(scene, meshes, most).assemble();
+  meshes.end_scene();
+  return solids;
+}
+
 Solids assemble(const description::SceneDescription& scene, std::size_t most) {
-  return Assembler(scene, most).assemble();
+  MeshSolids meshes;
+  return assemble(scene, meshes, most);
 }
 
 }  // namespace lapidary::scene

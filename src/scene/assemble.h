@@ -6,6 +6,7 @@
 #include "description/leaves.h"
 #include "description/scene_description.h"
 #include "geometry/solid_scene.h"
+#include "scene/mesh_solids.h"
 #include "scene/texture_frame.h"
 
 namespace lapidary::scene {
@@ -56,6 +57,11 @@ struct Solids {
 /// Throws Error at the object where it is a mesh in an operation, where a part of a combination
 /// moves by itself or a section cuts what moves, where parts disagree about what
 /// fills the whole, or where there are more than `most` leaves.
+///
+/// `meshes` has those that were prepared for a scene before this, and is left with those of this
+/// one.
+Solids assemble(const description::SceneDescription& scene, MeshSolids& meshes,
+                std::size_t most = most_leaves);
 Solids assemble(const description::SceneDescription& scene, std::size_t most = most_leaves);
 
 /// What a world is built of, without what only the scene understands.

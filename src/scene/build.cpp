@@ -226,7 +226,9 @@ Scene build(const description::SceneDescription& description, const BuildOptions
   Scene::Parts parts;
   parts.camera = prepare_camera(description.camera.value(), options.size);
   Builder builder(parts, description.metres_per_unit, options);
-  Solids solids = assemble(description);
+  MeshSolids none_yet;
+  MeshSolids& meshes = options.kept != nullptr ? options.kept->meshes : none_yet;
+  Solids solids = assemble(description, meshes);
   std::vector<bool> is_body;
   for (const SolidRegion& region : solids.regions) {
     is_body.resize(region.object + std::size_t{1});
@@ -254,7 +256,8 @@ Scene build(const description::SceneDescription& description, const BuildOptions
   parts.light_choice = options.light_choice == description::LightChoice::power
                            ? light::ChoiceRule::power
                            : light::ChoiceRule::influence;
-  parts.world = geometry::World(builder.take_world(), options.pool, options.earlier);
+  parts.world = geometry::World(builder.take_world(), options.pool,
+                                options.kept != nullptr ? &options.kept->world : nullptr);
   return Scene(std::move(parts));
 }
 

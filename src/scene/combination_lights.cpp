@@ -49,7 +49,7 @@ struct CombinationLights::Body {
         region(alone(std::move(part.expression), part.root)) {
     std::vector<Box3d> bounds;
     for (const auto& leaf : leaves()) bounds.push_back(geometry::bounds(leaf.solid));
-    boxes = geometry::clipped_bounds(tree(), bounds).leaves;
+    boxes = geometry::clipped_bounds(tree(), std::move(bounds)).leaves;
     for (const auto& leaf : leaves()) own_tags.insert(leaf.tag);
     own_tags.erase(inherited_surface);
   }

@@ -50,7 +50,7 @@ void Search::add_solids() {
   for (std::size_t region = 0; region < of_region.size(); ++region) {
     of_region[region] = of_object[parts_.region_fillings[region].object];
   }
-  std::vector<double> of_assembly(solids.assemblies().size());
+  std::vector<double> of_assembly(solids.assembly_count());
   for (const geometry::SolidScene::Place& place : solids.places()) {
     double& share = of_assembly[place.assembly];
     share = std::max(share, of_region[place.region]);

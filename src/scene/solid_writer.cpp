@@ -167,9 +167,9 @@ void SolidWriter::wear_material(Wear& wear, const MaterialPtr& material,
   wear.material = &material;
   wear.world_from_wearer = nullptr;
   if (!description::is_textured(*material)) return;
-  const bool is_known = !wearers_.empty() && wearers_.back() == world_from_wearer;
-  if (!is_known) wearers_.push_back(world_from_wearer);
-  wear.world_from_wearer = &wearers_.back();
+  const bool is_known = !wearers_.empty() && wearers_.front() == world_from_wearer;
+  if (!is_known) wearers_.push_front(world_from_wearer);
+  wear.world_from_wearer = &wearers_.front();
 }
 
 /// What those wear that are taken from the minuend by a difference that is itself to wear `wear`.

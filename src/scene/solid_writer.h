@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
+#include <forward_list>
 #include <functional>
 #include <unordered_map>
 #include <vector>
@@ -118,7 +118,8 @@ class SolidWriter {
   std::vector<Term> terms_;  ///< finished, of all levels
   std::unordered_map<Place, Term, HashOfPlace> written_;
   std::unordered_map<const description::Object*, Surface> surfaces_;
-  std::deque<Transform> wearers_;  ///< of materials with textures: pointers to them stay good
+  /// Of materials with textures, the last one first: pointers to them stay good.
+  std::forward_list<Transform> wearers_;
 };
 
 }  // namespace lapidary::scene

@@ -422,6 +422,65 @@ class Frames(LongRenderTest):
         self.assertNotEqual(without_seconds(self.folder / "all_009.exr"),
                             without_seconds(self.folder / "all_010.exr"))
 
+    # Solids that stay, in one place and in several, cut and fused; then what a frame changes of them.
+    SOLIDS = """
+    local f = frame - 1
+    local red, blue = matte "#c03020", matte "#3050c0"
+    local ball = { 0, 0, 0.9 }
+    local cutter, worn, spread, from = 0.3, red, 1.6, { 0, -6, 3 }
+    local lamp, tip, inner = 40, 1, {}
+    %s
+    local wall = box { min = { -2, 0.5, 0 }, max = { 2, 0.8, 2 } }
+      - union { cylinder { from = { -1, 0, 1 }, to = { -1, 1, 1 }, radius = 0.3 },
+                sphere { center = { 1, 0.5, 1 }, radius = cutter, material = blue } }
+    local gem = intersection {
+      plane { point = { 0, 0, 0.6 * tip } }, plane { point = { 0.3, 0, 0 }, normal = { 1, 0, 0.5 } },
+      plane { point = { -0.3, 0, 0 }, normal = { -1, 0, 0.5 } },
+      plane { point = { 0, 0.3, 0 }, normal = { 0, 1, 0.5 } },
+      plane { point = { 0, -0.3, 0 }, normal = { 0, -1, 0.5 } },
+      plane { point = { 0, 0, 0.1 }, normal = { 0, 0, -1 } } }
+    local holes = {}
+    for i = 1, 12 do
+      holes[i] = sphere { center = { 0.1 * (i - 6), 0.05 * (i %% 3), 0.2 }, radius = 0.06 }
+    end
+    local piece = difference { box { min = { -0.7, -0.1, 0 }, max = { 0.7, 0.2, 0.2 } }, holes }
+    return scene {
+      camera = perspective { from = from, at = { 0, 0, 0.6 }, fov = 40 },
+      objects = {
+        plane {}, wall:material(worn), gem:translate { 0.9, -0.6, 0 }, inner,
+        sphere { center = ball, radius = 0.25 },
+        piece:translate { -0.9, -1.1, 0 }, piece:translate { spread - 0.7, -1.6, 0 },
+      },
+      lights = { sphere_light { center = { 2, -3, 5 }, radius = 0.2, power = lamp } },
+      render = { size = { 48, 32 } },
+    }
+    """
+    CHANGES = {
+        "camera": "from[1] = 0.2 * f",
+        "light": "lamp = 40 + 10 * f",
+        "ball": "ball[1] = 0.3 * f",
+        "operand": "cutter = 0.3 + 0.05 * f",
+        "instance": "spread = 1.6 + 0.2 * f",
+        "material": "worn = f % 2 == 0 and red or blue",
+        "materials of parts": "if f % 2 == 1 then blue = matte(checker { 'white', 'black' }) end",
+        "half-space": "tip = 1 - 0.1 * f",
+        "one more": "if f == 1 then inner = { sphere { radius = 0.2 } } end",
+        "nothing": "",
+    }
+
+    def test_of_solids_are_what_each_is_by_itself(self):
+        for number, (what, change) in enumerate(self.CHANGES.items()):
+            with self.subTest(what=what):
+                self.write("scene.lua", self.SOLIDS % change)
+                self.frames("1-3", f"all_{number}_#.exr")
+                for frame in range(1, 4):
+                    alone = f"one_{number}_{frame}.exr"
+                    self.succeed("render", "scene.lua", "--frame", str(frame), "-o", alone,
+                                 "--samples", "8")
+                    self.assert_same(f"all_{number}_{frame}.exr", alone)
+                compared = self.succeed("compare", f"all_{number}_1.exr", f"all_{number}_2.exr")
+                self.assertEqual("relmse 0\n" in compared.stdout, what == "nothing")
+
     def test_time_is_that_of_the_scene(self):
         self.write("tell.lua", "print(frame, time)\n" + (self.folder / "scene.lua").read_text())
         for options, told in (((), "1\t0\n"), (("--frame", "1"), "1\t0\n"),

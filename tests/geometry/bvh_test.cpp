@@ -120,6 +120,81 @@ TEST(Bvh, HoldsManyEqualBoxes) {
   EXPECT_EQ(visits, boxes.size());
 }
 
+/// The items that a line meets, in the order of the walk.
+std::vector<std::uint32_t> met(const Bvh& bvh, const Line& line) {
+  std::vector<std::uint32_t> items;
+  bvh.walk(line, infinity, [&](std::uint32_t item, double&) {
+    items.push_back(item);
+    return false;
+  });
+  return items;
+}
+
+TEST(Bvh, OfManyBoxesMissesNothingAndIsTheSameForAnyThreads) {
+  Scatter scatter(11);
+  std::vector<Box3d> boxes;
+  for (std::size_t i = 0; i < 60000; ++i) boxes.push_back(scatter.box(1.0, {0.01, 0.02, 0.03}));
+  constexpr std::uint32_t first[]{0, 1, 40000, 40300};
+  ThreadPool pool(3);
+  const Bvh alone(boxes, first), together(boxes, first, &pool);
+  EXPECT_EQ(alone.bytes(), together.bytes());
+  for (std::size_t k = 0; k < std::size(first); ++k) {
+    EXPECT_EQ(alone.root(k).bits(), together.root(k).bits());
+  }
+  const Bvh whole(boxes), parallel(boxes, std::span(first, 1), &pool);
+  for (int i = 0; i < 20; ++i) {
+    const Line line = scatter.line(1.0, {});
+    const std::vector<std::uint32_t> items = met(whole, line);
+    EXPECT_EQ(items, met(parallel, line));
+    const std::set<std::uint32_t> visited(items.begin(), items.end());
+    EXPECT_EQ(visited.size(), items.size());
+    for (std::uint32_t item = 0; item < boxes.size(); ++item) {
+      const bool expected = meets(boxes[item], line, 0.0, infinity);
+      ASSERT_TRUE(!expected || visited.count(item) == 1) << item;
+    }
+  }
+}
+
+/// Every item of the hierarchy below `at`, without a line.
+void collect(const Bvh& bvh, Bvh::Ref at, std::multiset<std::uint32_t>& items) {
+  if (at.is_item()) {
+    items.insert(at.item());
+    return;
+  }
+  // From the middle of the boxes every direction meets all of them.
+  bvh.expand(at, Bvh::Slabs({{0.5, 0.5, 0.5}, {1, 2, 3}}), infinity,
+             [&](float, float, Bvh::Ref child) { collect(bvh, child, items); });
+}
+
+TEST(Bvh, OfSeveralHierarchiesEachHasItsOwnItems) {
+  const std::vector<Box3d> boxes(50000, Box3d{{0, 0, 0}, {1, 1, 1}});
+  constexpr std::uint32_t first[]{0, 3, 4, 30000, 30009};
+  ThreadPool pool(2);
+  const Bvh bvh(boxes, first, &pool);
+  for (std::size_t k = 0; k < std::size(first); ++k) {
+    std::multiset<std::uint32_t> items, expected;
+    collect(bvh, bvh.root(k), items);
+    const std::size_t end = k + 1 < std::size(first) ? first[k + 1] : boxes.size();
+    for (std::size_t i = first[k]; i < end; ++i) expected.insert(static_cast<std::uint32_t>(i));
+    EXPECT_EQ(items, expected);
+  }
+}
+
+TEST(Bvh, HoldsWhatReachesBeyondFloats) {
+  std::vector<Box3d> boxes;
+  for (int i = 0; i < 100; ++i) {
+    const double x = 0.1 * i;
+    boxes.push_back({{x, -1, -1}, {x + 0.05, 1, 1}});
+  }
+  boxes.push_back({{-1e300, -1e300, 2}, {1e300, 1e300, 3}});
+  boxes.push_back({{-1e38, -1, 4}, {-9e37, 1, 5}});
+  const Bvh bvh(boxes);
+  EXPECT_EQ(met(bvh, {{0, 0.5, 2.5}, {1, 1, 0}}), (std::vector<std::uint32_t>{100}));
+  const std::vector<std::uint32_t> far = met(bvh, {{-9.5e37, 0, 10}, {0, 0, -1}});
+  EXPECT_EQ(std::multiset<std::uint32_t>(far.begin(), far.end()).count(101), 1u);
+  EXPECT_EQ(met(bvh, {{5.02, 0, -5}, {0, 0, 1}}).size(), 2u);
+}
+
 TEST(Bvh, EndsWhenAskedAndSkipsWhatLiesBeyond) {
   std::vector<Box3d> boxes;
   for (int i = 0; i < 100; ++i) {

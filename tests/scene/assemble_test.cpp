@@ -299,5 +299,32 @@ TEST(Assemble, RefusesPartsThatMoveByThemselves) {
   EXPECT_THROW(assembled({moving(ball)}, cube), Error);
 }
 
+TEST(Assemble, MeshesArePreparedOnceForScenesThatFollowEachOther) {
+  scene::MeshSolids meshes;
+  const auto cut = [](int levels) {
+    const auto made = std::make_shared<const geometry::TriangleMesh>(ball_mesh(levels));
+    const auto mesh = std::make_shared<const description::Object>(
+        description::Object{description::Mesh{made, {}}, nullptr, nullptr, nullptr, {}});
+    return subtract(mesh, ball());
+  };
+  // The mesh that was prepared: a scene's own one, or that of a scene before.
+  const auto prepared = [&](int levels) {
+    description::SceneDescription scene;
+    scene.objects = {cut(levels)};
+    const Solids solids = scene::assemble(scene, meshes);
+    const auto& shape = solids.expression.leaves()[0].solid.solid();
+    return std::get<geometry::MeshBody>(shape);
+  };
+  const geometry::MeshBody first = prepared(2);
+  // Made anew, maybe at the address of one that is gone.
+  for (int frame = 0; frame < 8; ++frame) EXPECT_EQ(&prepared(2).mesh(), &first.mesh());
+  for (int frame = 0; frame < 8; ++frame) {
+    const geometry::MeshBody other = prepared(3 + frame % 2);
+    EXPECT_EQ(other.mesh(), ball_mesh(3 + frame % 2));
+    EXPECT_NE(&other.mesh(), &first.mesh());
+  }
+  EXPECT_NE(&prepared(2).mesh(), &first.mesh()) << "dropped by the scenes without it";
+}
+
 }  // namespace
 }  // namespace lapidary::test

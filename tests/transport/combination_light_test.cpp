@@ -266,7 +266,7 @@ TEST(CombinationLight, InstancesShineEachFromItsPlace) {
     to_own.push_back(place.inverse());
   }
   const scene::Scene scene = over_ground(copies).build();
-  ASSERT_EQ(scene.world().solids().assemblies().size(), 1u);
+  ASSERT_EQ(scene.world().solids().assembly_count(), 1u);
   EXPECT_EQ(scene.lights().size(), 3u);
   const Body body = slab({-1, -1, 0}, {1, 1, 0.3});
   const Meets meets = [&](Vec3d o, Vec3d d) {
@@ -297,7 +297,7 @@ TEST(CombinationLight, InstancesMayShineInPart) {
     });
   };
   const scene::Scene scene = over_ground(copies).build();
-  EXPECT_EQ(scene.world().solids().assemblies().size(), 1u);
+  EXPECT_EQ(scene.world().solids().assembly_count(), 1u);
   EXPECT_EQ(scene.lights().size(), 3u);
   expect_radiance(seen_at(scene, spot), L * share_of_hemisphere(meets, spot), 5e-4);
 }
