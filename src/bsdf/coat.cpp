@@ -38,6 +38,14 @@ std::optional<BsdfSample> Coat::sample(Vec3d wo, Vec2d u) const {
   return BsdfSample{wi, {}, 0.0, Lobe::glossy};
 }
 
+// Flat light is facets' light from further up, light from above them comes from where it goes to.
+// A fit of this form and its three numbers to coats of all kinds below coats and fuzz.
+double Coat::seen_from(double mu) const {
+  const double least = 1.9 * look_.alpha / (1.0 + 1.5 * look_.alpha);
+  const double mu2 = mu * mu, least2 = least * least;
+  return std::sqrt(std::sqrt(mu2 * mu2 + least2 * least2)) / (1.0 + 0.9 * look_.alpha);
+}
+
 // The way is longer the flatter the light runs inside, by Snell's law; two ways head on make the
 // whole colour.
 SampledSpectrum Coat::one_way(double mu) const {

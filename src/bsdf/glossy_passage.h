@@ -30,7 +30,7 @@ class GlossyPassage {
       // The first stands for directions up to the next one, of which a third is the mean.
       const double mu = i > 0 ? cosine(i, alpha_) : cosine(1, alpha_) / 3.0;
       t[i] = static_cast<float>(let_through(mu));
-      seen[i] = static_cast<float>(let_through(further_up(mu)));
+      seen[i] = static_cast<float>(let_through(further_up(mu, alpha_)));
     }
     solve(t, seen);
   }
@@ -40,7 +40,12 @@ class GlossyPassage {
   double share(double mu, LetThrough let_through) const {
     const TablePlace place = table_place(cosine_coordinate(mu, scale(alpha_)), size);
     const double factor = between(factor_[place.index], factor_[place.index + 1], place.fraction);
-    return factor / std::sqrt(let_through(further_up(mu)));
+    return factor / std::sqrt(let_through(further_up(mu, alpha_)));
+  }
+
+  /// The cosine of which T is about the mean over light of the facets towards `mu`.
+  static double further_up(double mu, double alpha) {
+    return std::sqrt((mu * mu + alpha * alpha) / (1.0 + alpha * alpha));
   }
 
   /// Cosines lie as close as facets of this alpha ask for: layers have a scale of their own, too.
@@ -53,10 +58,6 @@ class GlossyPassage {
 
  private:
   using Values = std::array<float, size>;
-  double further_up(double mu) const {
-    const double alpha2 = alpha_ * alpha_;
-    return std::sqrt((mu * mu + alpha2) / (1.0 + alpha2));
-  }
   void solve(const Values& t, const Values& seen);
 
   double alpha_;

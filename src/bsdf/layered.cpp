@@ -13,25 +13,56 @@ decltype(auto) of(const Layered::Layer& layer, Function function) {
   return std::visit(function, layer);
 }
 
-/// What a layer leaves of light from that cosine, at the mean azimuth of its grain if it has one;
-/// never nothing.
-template <typename Layer>
-double let_through(const Layer& layer, double mu) {
-  const double aside = std::sqrt(0.5 * std::max(0.0, 1.0 - mu * mu));
-  return std::max(1.0 - layer.albedo({aside, aside, mu}), 1e-6);
-}
-
 }  // namespace
 
 Layered::Layered(const Layer& layer, NestedPtr base)
-    : layer_(layer), base_(std::move(base)), base_traits_(traits_of(base_->bsdf)) {
-  const auto* layered = std::get_if<Layered>(&base_->bsdf);
-  ground_spread_ = layered != nullptr ? layered->ground_spread_ : base_traits_.spread;
-  const auto* metal = std::get_if<Conductor>(&base_->bsdf);
-  if (metal == nullptr) return;
-  of(layer_, [&](const auto& kind) {
-    glossy_.emplace(metal->grain_alpha(), [&](double mu) { return let_through(kind, mu); });
-  });
+    : layer_(layer),
+      base_(std::move(base)),
+      base_traits_(traits_of(base_->bsdf)),
+      layers_below_(std::get_if<Layered>(&base_->bsdf)),
+      ground_spread_(layers_below_ != nullptr ? layers_below_->ground_spread_
+                                              : base_traits_.spread) {
+  find_ground_passage();
+}
+
+const Nested& Layered::ground() const {
+  return layers_below_ != nullptr ? layers_below_->ground() : *base_;
+}
+
+void Layered::find_ground_passage() {
+  const Bsdf& ground = this->ground().bsdf;
+  if (const auto* metal = std::get_if<Conductor>(&ground)) {
+    ground_.emplace<GlossyPassage>(metal->grain_alpha(),
+                                   [&](double mu) { return all_let_through(mu); });
+  } else if (const auto* rough = std::get_if<RoughDiffuse>(&ground)) {
+    ground_.emplace<MattePassage>(rings(), *rough);
+  } else if (std::holds_alternative<Diffuse>(ground)) {
+    // Of rings one layer alone has no need.
+    ground_ = layers_below_ != nullptr ? MattePassage(rings()) : MattePassage(mean_let_through());
+  }
+}
+
+// At the mean azimuth of its grain, if it has one; never nothing.
+double Layered::let_through(double mu) const {
+  const double aside = std::sqrt(0.5 * std::max(0.0, 1.0 - mu * mu));
+  return std::max(1.0 - albedo({aside, aside, mu}), 1e-6);
+}
+
+double Layered::all_let_through(double mu) const {
+  const double here = let_through(mu);
+  return layers_below_ != nullptr ? here * layers_below_->all_let_through(mu) : here;
+}
+
+double Layered::mean_let_through() const {
+  return 1.0 - of(layer_, [](const auto& layer) { return layer.average_albedo(); });
+}
+
+MattePassage::Rings Layered::rings() const {
+  const auto* matte = std::get_if<MattePassage>(&ground_);
+  if (matte != nullptr && matte->rings()) return *matte->rings();
+  const auto here =
+      MattePassage::rings(mean_let_through(), [&](double mu) { return let_through(mu); });
+  return layers_below_ != nullptr ? MattePassage::both(here, layers_below_->rings()) : here;
 }
 
 double Layered::albedo(Vec3d v) const {
@@ -45,25 +76,17 @@ double Layered::own_spread() const {
   return coat != nullptr ? coat->roughness() : 1.0;
 }
 
-double Layered::white_passage(Vec3d wo, Vec3d wi, const Through& through, double spread) const {
-  const double both = through.to * through.ti;
-  if (glossy_) {
-    return of(layer_, [&](const auto& layer) {
-      const auto through_layer = [&](double mu) { return let_through(layer, mu); };
-      return both * glossy_->share(std::min(wo.z, 1.0), through_layer) *
-             glossy_->share(std::min(wi.z, 1.0), through_layer);
-    });
-  }
-  const double average = of(layer_, [](const auto& layer) { return layer.average_albedo(); });
-  const double kept = std::lerp(std::max(through.to, through.ti), 1.0 - average, spread);
-  return kept > 0.0 ? both / kept : 0.0;
+double Layered::white_passage(const Through& through, double spread) const {
+  const double kept = std::lerp(std::max(through.to, through.ti), mean_let_through(), spread);
+  return kept > 0.0 ? through.to * through.ti / kept : 0.0;
 }
 
 // Of light that the base gives back, the share r comes down again: the bounces sum to
 // (1 - r) / (1 - r rho), relative to a white base.
-SampledSpectrum Layered::passage(Vec3d wo, Vec3d wi, const Through& through, double spread) const {
+SampledSpectrum Layered::passage(Vec3d wo, Vec3d wi, const Through& through, double white,
+                                 double spread) const {
   return of(layer_, [&](const auto& layer) {
-    SampledSpectrum left(static_cast<float>(white_passage(wo, wi, through, spread)));
+    SampledSpectrum left(static_cast<float>(white));
     if (wo.z > 0.0) left *= layer.one_way(std::min(wo.z, 1.0));
     if (wi.z > 0.0) left *= layer.one_way(std::min(wi.z, 1.0));
     if (base_traits_.transparent) return left;
@@ -90,38 +113,66 @@ double Layered::chance_of_layer(Vec3d wo) const {
   return base > 0.0 ? std::max(chance, least) : 1.0;
 }
 
-Layered::Parts Layered::parts_below(Vec3d wo, Vec3d wi, Mode mode) const {
-  if (const auto* layered = std::get_if<Layered>(&base_->bsdf)) return layered->parts(wo, wi, mode);
-  const BsdfValue value = bsdf::evaluate_with_pdf(base_->bsdf, wo, wi, mode);
-  return {{}, {}, value.f_cos, value.pdf};
+double Layered::ground_share(double mu) const {
+  if (const auto* matte = std::get_if<MattePassage>(&ground_)) return matte->share(mu);
+  const auto* glossy = std::get_if<GlossyPassage>(&ground_);
+  return glossy->share(mu, [this](double cosine) { return all_let_through(cosine); });
 }
 
-Layered::Parts Layered::parts(Vec3d wo, Vec3d wi, Mode mode) const {
+// Each layer takes its part, and what keeps white ground white is known to the uppermost.
+BsdfValue Layered::evaluate_ground(Vec3d wo, Vec3d wi, Mode mode, const Above& above) const {
+  BsdfValue value = bsdf::evaluate_with_pdf(base_->bsdf, wo, wi, mode);
+  if (value.f_cos.is_zero()) return value;
+  const bool known = !std::holds_alternative<std::monostate>(ground_);
+  const Above* last = nullptr;
+  for (const Above* a = &above; a != nullptr; a = a->further) {
+    const double white =
+        known ? a->through.to * a->through.ti : a->layer.white_passage(a->through, ground_spread_);
+    value.f_cos *= a->layer.passage(wo, wi, a->through, white, ground_spread_);
+    last = a;
+  }
+  if (known) {
+    const double share = last->layer.ground_share(std::min(wo.z, 1.0)) *
+                         last->layer.ground_share(std::min(wi.z, 1.0));
+    value.f_cos *= static_cast<float>(share);
+  }
+  return value;
+}
+
+SampledSpectrum Layered::left_of_layer(Vec3d wo, Vec3d wi, const Above* above) const {
+  SampledSpectrum left(1.0f);
+  if (above == nullptr) return left;
+  const auto seen_from = [&](double mu) {
+    return of(layer_, [mu](const auto& layer) { return layer.seen_from(std::min(mu, 1.0)); });
+  };
+  const double seen_o = seen_from(wo.z), seen_i = seen_from(wi.z);
+  for (; above != nullptr; above = above->further) {
+    const Layered& layer = above->layer;
+    const double white = above->through.to * above->through.ti /
+                         std::sqrt(layer.let_through(seen_o) * layer.let_through(seen_i));
+    left *= layer.passage(wo, wi, above->through, white, own_spread());
+  }
+  return left;
+}
+
+BsdfValue Layered::evaluate_below(Vec3d wo, Vec3d wi, Mode mode, const Above* above) const {
   const bool outside = wo.z > 0.0 && wi.z > 0.0;
   if (!outside && !base_traits_.transparent) return {};
   const double chance = chance_of_layer(wo);
-  Parts parts = parts_below(wo, wi, mode);
-  parts.pdf *= 1.0 - chance;
-  const Through both = through(wo, wi);
-  const auto pass = [&](SampledSpectrum& part, double spread) {
-    if (!part.is_zero()) part *= passage(wo, wi, both, spread);
-  };
-  pass(parts.mirrored, 0.0);
-  pass(parts.spread, 1.0);
-  pass(parts.ground, ground_spread_);
+  const Above here{*this, through(wo, wi), above};
+  BsdfValue value = layers_below_ != nullptr ? layers_below_->evaluate_below(wo, wi, mode, &here)
+                                             : evaluate_ground(wo, wi, mode, here);
+  value.pdf *= 1.0 - chance;
   if (outside) {
     const BsdfValue layer = of(layer_, [&](const auto& l) { return l.evaluate_with_pdf(wo, wi); });
-    const SampledSpectrum spread = layer.f_cos * static_cast<float>(own_spread());
-    parts.mirrored += layer.f_cos - spread;
-    parts.spread += spread;
-    parts.pdf += chance * layer.pdf;
+    if (!layer.f_cos.is_zero()) value.f_cos += layer.f_cos * left_of_layer(wo, wi, above);
+    value.pdf += chance * layer.pdf;
   }
-  return parts;
+  return value;
 }
 
 BsdfValue Layered::evaluate_with_pdf(Vec3d wo, Vec3d wi, Mode mode) const {
-  const Parts all = parts(wo, wi, mode);
-  return {all.mirrored + all.spread + all.ground, all.pdf};
+  return evaluate_below(wo, wi, mode, nullptr);
 }
 
 std::optional<BsdfSample> Layered::sample(Vec3d wo, double u_lobe, Vec2d u, Mode mode) const {
@@ -132,10 +183,12 @@ std::optional<BsdfSample> Layered::sample(Vec3d wo, double u_lobe, Vec2d u, Mode
                          : bsdf::sample(base_->bsdf, wo, rescaled(u_lobe, chance, 1.0), u, mode);
   if (!sample) return {};
   if (sample->lobe == Lobe::specular) {
-    // Of layers only smooth ones have specular lobes.
-    const bool on_layers = std::holds_alternative<Layered>(base_->bsdf);
-    const double spread = on_layers ? 0.0 : base_traits_.spread;
-    if (!on_layer) sample->weight *= passage(wo, sample->wi, through(wo, sample->wi), spread);
+    if (!on_layer) {
+      // Of layers only smooth ones have specular lobes.
+      const double spread = layers_below_ != nullptr ? 0.0 : base_traits_.spread;
+      const Through both = through(wo, sample->wi);
+      sample->weight *= passage(wo, sample->wi, both, white_passage(both, spread), spread);
+    }
     sample->weight *= static_cast<float>(1.0 / (on_layer ? chance : 1.0 - chance));
     return sample;
   }

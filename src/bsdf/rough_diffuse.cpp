@@ -36,7 +36,15 @@ RoughDiffuse::RoughDiffuse(SampledSpectrum color, double roughness)
   const double escaping = average_single_bounce();
   const auto e = static_cast<float>(escaping);
   const SampledSpectrum bounces = color * color * e / (SampledSpectrum(1.0f) - color * (1.0f - e));
-  if (escaping < 1.0) later_ = bounces * static_cast<float>(inv_pi / (1.0 - escaping));
+  white_later_ = escaping < 1.0 ? 1.0 / (1.0 - escaping) : 0.0;
+  later_ = bounces * static_cast<float>(inv_pi * white_later_);
+}
+
+// Over the azimuths where walls face the viewer cos(phi) has a mean of 1 / pi of all, over the
+// others of minus that.
+RoughDiffuse::Zones RoughDiffuse::zones(double mu_o, double mu_i) {
+  const double sines = std::sqrt((1.0 - mu_o * mu_o) * (1.0 - mu_i * mu_i));
+  return {inv_pi * sines * (1.0 / std::max(mu_o, mu_i) - 1.0), slopes(mu_o), slopes(mu_i)};
 }
 
 double RoughDiffuse::single_bounce(double mu) const {

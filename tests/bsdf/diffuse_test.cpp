@@ -63,6 +63,30 @@ TEST(RoughDiffuse, KnowsTheAlbedoOfASingleBounce) {
   }
 }
 
+// Mean over azimuths by the midpoint rule, and of that over the half sphere.
+TEST(RoughDiffuse, KnowsItsMeanOverAzimuths) {
+  for (const double roughness : {0.0, 0.4, 1.0}) {
+    const RoughDiffuse bsdf(white, roughness);
+    for (const double mu_o : {0.0, 0.02, 0.3, 0.8, 1.0}) {
+      double average = 0.0;
+      constexpr int rings = 500, sectors = 200;
+      for (int i = 0; i < rings; ++i) {
+        const double mu_i = (i + 0.5) / rings;
+        const double zonal = bsdf.zonal(RoughDiffuse::zones(mu_o, mu_i));
+        average += 2.0 * mu_i * zonal / rings;
+        if (i % 25 != 0 || mu_o == 0.0) continue;
+        double sum = 0.0;
+        for (int j = 0; j < sectors; ++j) {
+          const Vec3d wi = direction(mu_i, 2.0 * pi * (j + 0.5) / sectors);
+          sum += bsdf.evaluate_with_pdf(direction(mu_o, 0.0), wi).f_cos[0] / mu_i;
+        }
+        EXPECT_NEAR(zonal, pi * sum / sectors, 5e-4 * zonal) << roughness << " " << mu_o << mu_i;
+      }
+      EXPECT_NEAR(average, 1.0, 2e-3) << roughness << " from " << mu_o;
+    }
+  }
+}
+
 TEST(RoughDiffuse, IsBrighterTowardsTheLightThanAwayFromIt) {
   const Vec3d wo = direction(0.3, 0.0);
   const auto towards = [&](double phi) {

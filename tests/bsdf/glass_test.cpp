@@ -120,7 +120,9 @@ TEST(DispersiveGlass, SaysHowFarItSpreadsColors) {
     if (!all_refracted) continue;
     // A bound, and close where light does not graze.
     EXPECT_GE(spread.divergence, most - least - 1e-15);
-    if (most < 1.2) EXPECT_LE(spread.divergence, 1.4 * (most - least) + 1e-15);
+    if (most < 1.2) {
+      EXPECT_LE(spread.divergence, 1.4 * (most - least) + 1e-15);
+    }
   }
 }
 

@@ -60,6 +60,8 @@ inline std::vector<NamedBsdf> composite_surfaces() {
       {"felt", fuzzy({.tilt = 0.9, .weight = 0.5}, RoughDiffuse(red, 1.0))},
       {"dusty mirror", fuzzy({.tilt = 0.5}, Mirror{ConductorFresnel::from_normal_incidence(red)})},
       {"dusty varnish", fuzzy({.tilt = 0.4}, varnished)},
+      {"varnished chalk", coated({.index = 1.5, .alpha = 0.1}, RoughDiffuse(red, 0.7))},
+      {"varnished velvet", coated({.index = 1.4}, fuzzy({.tilt = 0.3}, RoughDiffuse(red, 1.0)))},
       {"patches", mixture(matte, white_metal(0.3), 0.3)},
       {"dirty pane", mixture(pane(1.5, blue), matte, 0.4)},
       {"dirty glass", mixture(coated({.index = 1.5}, matte), glass(1.5, 0.3), 0.6)},
