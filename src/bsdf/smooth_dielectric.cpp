@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "math/constants.h"
 
 namespace lapidary::bsdf {
 
@@ -82,8 +83,7 @@ Spread spread_of_refraction(const RelativeIndex& index, double z) {
     least_cosine = std::min(least_cosine, refraction.cos_refracted);
   }
   // Angles differ by no more than their sines over the least of the cosines between.
-  spread.divergence =
-      least_cosine > 0.0 ? (most - least) / least_cosine : std::numeric_limits<double>::infinity();
+  spread.divergence = least_cosine > 0.0 ? (most - least) / least_cosine : infinity;
   return spread;
 }
 

@@ -27,10 +27,10 @@ class Wavelengths {
   /// copper, blackbodies of 2000-10000 K) and all rotations: 0.11 for N = 1, 0.004 for 4, 0.0003
   /// for 16, 2e-5 for 64.
   static Wavelengths sample(double u);
-  /// The `u` of a pass, such that every aligned block of 2^m passes has one hero in each 2^-m of
-  /// the unit interval, and all its 4 * 2^m wavelengths in strata of their own. (Plain strata of
-  /// u will not do: four of them, a quarter turn apart, give the same four wavelengths.)
-  /// `rotation` in [0, 1), say from the seed, turns all of them.
+  /// The `u` of a pass, such that every aligned block of 2^m passes has its first wavelengths in
+  /// each 2^-m of the unit interval once, and all 4 * 2^m in strata of their own. (Plain strata of
+  /// u will not do: four of them, a quarter turn apart, give the same four wavelengths.) `rotation`
+  /// in [0, 1), say from the seed, turns all of them.
   static double pass_stratum(std::uint64_t pass, double rotation);
 
   /// The same four with another hero.

@@ -119,8 +119,9 @@ bool PhotonTracer::Flight::scatter(const Vertex& vertex, bool is_narrow) {
   return survives_roulette(before, points.roulette());
 }
 
-// Smooth glass keeps all wavelengths together, for now, with a record of how far they are apart.
-// Curved surfaces may magnify that, which the record does not know: it is right to a small factor.
+// Smooth glass keeps all wavelengths together, with a record of how far apart they would be: who
+// gathers the photon decides by it. Curved surfaces may magnify that or undo it, which the record
+// does not know: it is right to a small factor.
 void PhotonTracer::Flight::disperse(const Vertex& vertex, bsdf::BsdfSample& sample) {
   if (sample.side != bsdf::Side::transmitted) return;
   dispersion_.angle *=
