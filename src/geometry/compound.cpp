@@ -98,7 +98,7 @@ Compound::Compound(Expression expression, std::span<const Expression::Term> root
               {roots.begin(), roots.end()},
               {guests.begin(), guests.end()}},
       stated_leaves_(expression.leaves().size()) {
-  expression.fuse_half_spaces(roots);
+  expression.fuse_half_spaces(roots, pool);
   tree_ = BooleanTree(expression, roots);
   leaves_ = expression.take_leaves();
   fused_parts_ = expression.take_fused_parts();

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "geometry/content_order.h"
 #include "geometry/expression.h"
@@ -80,7 +81,7 @@ struct Expression::Fusion {
     return p.tag != q.tag ? p.tag < q.tag : placement_less(p.solid, q.solid);
   }
 
-  void fuse_groups() {
+  void fuse_groups(ThreadPool* pool) {
     std::vector<Candidate> list = candidates();
     const auto less = [this](const Candidate& a, const Candidate& b) {
       if (group_less(a, b)) return true;
@@ -91,20 +92,31 @@ struct Expression::Fusion {
       return !content_less(q, p) && a.leaf < b.leaf;
     };
     std::sort(list.begin(), list.end(), less);
+    std::vector<std::span<const Candidate>> groups;
     for (auto first = list.begin(); first != list.end();) {
       const auto last = std::find_if(first, list.end(),
                                      [&](const Candidate& c) { return group_less(*first, c); });
-      fuse({first, last});
+      const auto count = static_cast<std::size_t>(last - first);
+      if (count >= fewest && count <= most) groups.emplace_back(first, last);
       first = last;
+    }
+    std::vector<std::optional<PlacedSolid>> fused(groups.size());
+    constexpr std::size_t grain = 16;
+    parallel_for(pool, groups.size(), grain, [&](IndexRange piece) {
+      for (std::size_t i = piece.begin; i < piece.end; ++i) fused[i] = fuse(groups[i]);
+    });
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (fused[i]) replace(groups[i], *fused[i]);
     }
   }
 
-  void fuse(std::span<const Candidate> group) {
-    if (group.size() < fewest || group.size() > most) return;
+  std::optional<PlacedSolid> fuse(std::span<const Candidate> group) const {
     std::vector<PlacedSolid> half_spaces;
     for (const Candidate& c : group) half_spaces.push_back(expression.leaves_[c.leaf].solid);
-    const std::optional<PlacedSolid> fused = PlacedSolid::fused(half_spaces);
-    if (!fused) return;
+    return PlacedSolid::fused(half_spaces);
+  }
+
+  void replace(std::span<const Candidate> group, const PlacedSolid& fused) {
     std::vector<std::uint32_t>& parts = expression.fused_parts_;
     const auto first_part = static_cast<std::uint32_t>(parts.size());
     for (const Candidate& c : group) {
@@ -113,7 +125,7 @@ struct Expression::Fusion {
     }
     const std::uint32_t first = group.front().leaf;
     replacements[first] = static_cast<std::uint32_t>(expression.leaves_.size());
-    expression.leaves_.push_back({*fused, expression.leaves_[first].tag, first_part});
+    expression.leaves_.push_back({fused, expression.leaves_[first].tag, first_part});
   }
 
   /// One of each group gives its place to what they are fused to, the others give it up.
@@ -137,14 +149,14 @@ struct Expression::Fusion {
   std::vector<std::uint32_t> replacements;  ///< of leaves as operands
 };
 
-void Expression::fuse_half_spaces(std::span<const Term> roots) {
+void Expression::fuse_half_spaces(std::span<const Term> roots, ThreadPool* pool) {
   const auto is_half_space = [](const Leaf& leaf) {
     return std::holds_alternative<HalfSpace>(leaf.solid.shape());
   };
   const auto count = std::count_if(leaves_.begin(), leaves_.end(), is_half_space);
   if (static_cast<std::size_t>(count) < Fusion::fewest) return;
   Fusion fusion(*this, roots);
-  fusion.fuse_groups();
+  fusion.fuse_groups(pool);
   if (!fused_parts_.empty()) fusion.replace_operands();
 }
 

@@ -133,20 +133,14 @@ std::optional<PlacedSolid> PlacedSolid::fused(std::span<const PlacedSolid> half_
     images.push_back(std::get<HalfSpace>(h.shape()));
     stated.push_back(std::get<HalfSpace>(h.solid()));
   }
-  const auto is_bounded = [](const std::optional<Polyhedron>& p) {
-    return p && std::isfinite(geometry::area(*p));
-  };
-  const std::optional<Polyhedron> shape = intersection(images);
-  if (!is_bounded(shape)) return std::nullopt;
-  PlacedSolid fused(*shape, {});
+  const OwnSpace* space = half_spaces.front().own_space();
+  const std::optional<Polyhedron> solid = intersection(stated);
+  if (!solid || !std::isfinite(geometry::area(*solid))) return std::nullopt;
+  PlacedSolid fused(space ? image(*solid, images, space->world_from_own()) : *solid, {});
+  if (space) fused.origin_ = std::make_shared<const Origin>(Origin{*solid, *space});
   for (const PlacedSolid& h : half_spaces) {
     fused.surface_error_ = std::max(fused.surface_error_, h.surface_error_);
     fused.angle_error_ = std::max(fused.angle_error_, h.angle_error_);
-  }
-  if (const OwnSpace* space = half_spaces.front().own_space()) {
-    const std::optional<Polyhedron> solid = intersection(stated);
-    if (!is_bounded(solid)) return std::nullopt;
-    fused.origin_ = std::make_shared<const Origin>(Origin{*solid, *space});
   }
   return fused;
 }
@@ -196,31 +190,11 @@ bool contains(const PlacedSolid& placed, Vec3d p) {
   return contains(placed.shape(), placed.own_space()->point(p));
 }
 
-namespace {
-
-/// Of all polyhedra whose planes are displaced by up to `error`: where they meet at small angles
-/// their corners are displaced by far more than that.
-Box3d bounds_of_displaced(const Polyhedron& polyhedron, double error) {
-  if (error == 0.0) return bounds(polyhedron);
-  std::vector<HalfSpace> faces;
-  for (Patch patch = 0; patch < polyhedron.face_count(); ++patch) {
-    HalfSpace face = polyhedron.face(patch);
-    // The point rounds by less than what is added to the error here.
-    const double shift = 2 * error + 4 * u_ * one_norm(face.point);
-    face.point += normalize(face.normal) * shift;
-    faces.push_back(face);
-  }
-  const auto displaced = intersection(faces);
-  return displaced ? bounds(*displaced) : Box3d::all();
-}
-
-}  // namespace
-
 Box3d bounds(const PlacedSolid& placed) {
   if (placed.space() == PlacedSolid::Space::world) {
     const auto* polyhedron = std::get_if<Polyhedron>(&placed.shape());
     if (!polyhedron) return padded(bounds(placed.shape()), placed.surface_error());
-    if (!placed.own_space()) return bounds_of_displaced(*polyhedron, placed.surface_error());
+    if (!placed.own_space()) return displaced_bounds(*polyhedron, placed.surface_error());
   }
   const Transform& map = placed.world_from_solid();
   const Box3d box =

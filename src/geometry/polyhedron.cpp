@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "geometry/affine_area.h"
+#include "geometry/affine_error.h"
 #include "geometry/convex_hull.h"
 #include "geometry/polyhedron_data.h"
 #include "math/same_bits.h"
@@ -73,6 +74,20 @@ std::optional<Polyhedron> intersection(std::span<const HalfSpace> half_spaces) {
   std::vector<HalfSpace> faces(half_spaces.begin(), half_spaces.end());
   return Polyhedron(
       std::make_shared<const Data>(std::move(faces), 0, std::move(found.pieces), found.box));
+}
+
+Polyhedron image(const Polyhedron& bounded, std::span<const HalfSpace> planes,
+                 const Transform& map) {
+  const bool mirrored = map.mirrors();
+  std::vector<Data::Piece> pieces;
+  Box3d box;
+  for (Data::Piece piece : bounded.data_->pieces) {
+    for (Vec3d& corner : piece.corners) box.extend(corner = map.point(corner));
+    if (mirrored) std::swap(piece.corners[1], piece.corners[2]);
+    pieces.push_back(piece);
+  }
+  std::vector<HalfSpace> faces(planes.begin(), planes.end());
+  return Polyhedron(std::make_shared<const Data>(std::move(faces), 0, std::move(pieces), box));
 }
 
 namespace {
@@ -159,6 +174,57 @@ BoundaryPoint sample_boundary(const Polyhedron& polyhedron, Vec2d u, double u_pa
   const Vec2d b = sample_triangle(u);
   const Vec3d p = corners[0] + (corners[1] - corners[0]) * b.x + (corners[2] - corners[0]) * b.y;
   return {p, outward_normal(polyhedron, patch, p), patch, 1.0 / data.area};
+}
+
+namespace {
+
+/// A ball inside of all planes.
+struct Ball {
+  Vec3d center;
+  double radius = 0;  ///< not positive where none was found
+};
+
+Ball ball_inside(const Data& data) {
+  Ball ball{{}, infinity};
+  const double share = 1.0 / (3.0 * static_cast<double>(data.pieces.size()));
+  for (const Data::Piece& piece : data.pieces) {
+    for (const Vec3d& corner : piece.corners) ball.center += corner * share;
+  }
+  for (const HalfSpace& face : data.faces) {
+    const double height = dot(ball.center - face.point, normalize(face.normal));
+    const double error = 16 * rounding_unit * (one_norm(ball.center) + one_norm(face.point));
+    ball.radius = std::min(ball.radius, -height - error);
+  }
+  return ball;
+}
+
+std::optional<Polyhedron> displaced_outwards(const std::vector<HalfSpace>& faces, double error) {
+  std::vector<HalfSpace> displaced;
+  for (HalfSpace face : faces) {
+    // The point rounds by less than what is added to the error here.
+    const double shift = 2 * error + 4 * rounding_unit * one_norm(face.point);
+    face.point += normalize(face.normal) * shift;
+    displaced.push_back(face);
+  }
+  return intersection(displaced);
+}
+
+}  // namespace
+
+Box3d displaced_bounds(const Polyhedron& polyhedron, double error) {
+  const Data& data = *polyhedron.data_;
+  if (error == 0.0) return data.box;
+  // Planes at least a radius away from a point are no further out than those of the same solid
+  // made larger about that point, by the displacement over the radius.
+  const Ball ball = data.pieces.empty() ? Ball{} : ball_inside(data);
+  if (const double growth = error / ball.radius; ball.radius > 0 && growth < 0x1p-20) {
+    const Vec3d reach = max(abs(data.box.min - ball.center), abs(data.box.max - ball.center));
+    const double rounding = 4 * rounding_unit * one_norm(max(abs(data.box.min), abs(data.box.max)));
+    const Vec3d more = reach * (2 * growth) + Vec3d{rounding, rounding, rounding};
+    return {data.box.min - more, data.box.max + more};
+  }
+  const auto displaced = displaced_outwards(data.faces, error);
+  return displaced ? displaced->data_->box : Box3d::all();
 }
 
 Box3d affine_bounds(const Polyhedron& polyhedron, const Transform& map) {

@@ -30,6 +30,8 @@ class Polyhedron {
  private:
   friend std::optional<Polyhedron> intersection(std::span<const HalfSpace> half_spaces);
   friend Polyhedron hull_of(std::span<const Vec3d> points);
+  friend Polyhedron image(const Polyhedron& bounded, std::span<const HalfSpace> planes,
+                          const Transform& map);
   explicit Polyhedron(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
   friend bool has_same_content(const Polyhedron& a, const Polyhedron& b);
@@ -38,6 +40,7 @@ class Polyhedron {
   friend SurfaceUv surface_uv(const Polyhedron& polyhedron, Patch patch, Vec3d p);
   friend bool contains(const Polyhedron& polyhedron, Vec3d p);
   friend Box3d bounds(const Polyhedron& polyhedron);
+  friend Box3d displaced_bounds(const Polyhedron& polyhedron, double error);
   friend double area(const Polyhedron& polyhedron);
   friend BoundaryPoint sample_boundary(const Polyhedron& polyhedron, Vec2d u, double u_patch);
   friend Box3d affine_bounds(const Polyhedron& polyhedron, const Transform& map);
@@ -60,6 +63,12 @@ std::optional<Polyhedron> intersection(std::span<const HalfSpace> half_spaces);
 /// Failure: throws Error, without a place, when all points lie in one plane.
 Polyhedron hull_of(std::span<const Vec3d> points);
 
+/// The image of a bounded polyhedron under a map, where its planes are known, patch by patch: they
+/// are met as `intersection` of them would be, but its bounds, area and volume follow from mapped
+/// corners, right to a few roundings.
+Polyhedron image(const Polyhedron& bounded, std::span<const HalfSpace> planes,
+                 const Transform& map);
+
 /// To the bit.
 bool has_same_content(const Polyhedron& a, const Polyhedron& b);
 
@@ -77,6 +86,10 @@ BoundaryPoint sample_boundary(const Polyhedron& polyhedron, Vec2d u, double u_pa
 /// the inverse of surface_uv, to a few roundings. Nothing where there is none.
 std::vector<UvChart> uv_charts(const Polyhedron& polyhedron);
 std::optional<PatchPoint> point_at(const Polyhedron& polyhedron, const UvChart& chart, Vec2d uv);
+
+/// Contains all polyhedra whose planes are displaced by up to `error`, in scene units: where they
+/// meet at small angles their corners are displaced by far more than that.
+Box3d displaced_bounds(const Polyhedron& polyhedron, double error);
 
 /// Of the image under a map.
 Box3d affine_bounds(const Polyhedron& polyhedron, const Transform& map);

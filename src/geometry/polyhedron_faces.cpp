@@ -1,4 +1,8 @@
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <ranges>
+#include <utility>
 
 #include "geometry/polyhedron_data.h"
 #include "geometry/rounded_bounds.h"
@@ -53,7 +57,12 @@ Extent extent_of(std::span<const HalfSpace> half_spaces) {
   return e;
 }
 
-using Polygon = std::vector<Point>;
+struct Corner {
+  explicit Corner(const Point& p) : exact(p), rounded(p) {}
+  Point exact;
+  Vec3d rounded;
+};
+using Polygon = std::vector<Corner>;
 
 /// Spans the plane near the middle, counter-clockwise seen from where the normal points.
 Polygon huge_square(const HalfSpace& h, const Extent& extent) {
@@ -70,52 +79,95 @@ Polygon huge_square(const HalfSpace& h, const Extent& extent) {
     return (p - n * (dot(p, n) / dot(n, n))) * (extent.size * far_away);
   };
   const Point u = in_plane(side), v = in_plane(cross(unit, side));
-  return {center + u + v, center - u + v, center - u - v, center + u - v};
+  return {Corner(center + u + v), Corner(center - u + v), Corner(center - u - v),
+          Corner(center + u - v)};
 }
 
-/// Keeps what is below the plane of `h`, or in it as well as can be told.
-void cut(Polygon& polygon, const HalfSpace& h, double tolerance) {
-  const Point n(h.normal), p(h.point);
-  const Quad most = Quad(tolerance) * length(h.normal);
-  std::vector<Quad> height;
-  for (const Point& q : polygon) height.push_back(dot(q - p, n));
-  if (std::ranges::all_of(height, [&](Quad x) { return x <= most; })) return;
+/// A plane of the intersection, which cuts the faces of the others.
+class CuttingPlane {
+ public:
+  CuttingPlane(const HalfSpace& h, const Extent& extent)
+      : stated_(h),
+        exact_normal_(h.normal),
+        exact_point_(h.point),
+        unit_(normalize(h.normal)),
+        distance_(dot(h.point - extent.middle, unit_)),
+        tolerance_(coincident * extent.size * length(h.normal)) {}
+
+  const HalfSpace& stated() const { return stated_; }
+  /// How far the line that it has in common with another passes from the foot of the middle there.
+  double distance_in(const CuttingPlane& other) const {
+    const double cosine = dot(unit_, other.unit_);
+    const double d = (distance_ - other.distance_ * cosine) / std::sqrt(1 - cosine * cosine);
+    return std::isnan(d) ? infinity : d;
+  }
+
+  /// What is above it by less than can be told counts as below. Double is enough where the corner
+  /// is further away than it errs: 5 roundings of each term.
+  bool takes(const Corner& corner) const {
+    const Vec3d q = corner.rounded, p = stated_.point;
+    const double height = dot(q - p, stated_.normal);
+    const double error = 8 * rounding_unit * dot(abs(q) + abs(p), abs(stated_.normal));
+    if (std::abs(height) > error + tolerance_) return height > 0;
+    return exact_height(corner.exact) > tolerance_;
+  }
+
+  bool has_clearly_below(const Point& p) const { return exact_height(p) < -Quad(tolerance_); }
+
+  /// Where it cuts an edge; nothing where an end does as well, within the tolerance.
+  std::optional<Corner> crossing(const Corner& a, const Corner& b) const {
+    const Quad from = exact_height(a.exact), share = from / (from - exact_height(b.exact));
+    if (!(share >= 0 && share <= 1)) return std::nullopt;
+    return Corner(a.exact + (b.exact - a.exact) * share);
+  }
+
+ private:
+  Quad exact_height(const Point& p) const { return dot(p - exact_point_, exact_normal_); }
+
+  HalfSpace stated_;
+  Point exact_normal_, exact_point_;
+  Vec3d unit_;
+  double distance_;  ///< from the middle
+  double tolerance_;
+};
+
+void cut(Polygon& polygon, const CuttingPlane& plane) {
+  std::vector<bool> taken;
+  taken.reserve(polygon.size());
+  for (const Corner& corner : polygon) taken.push_back(plane.takes(corner));
+  if (std::ranges::find(taken, true) == taken.end()) return;
   Polygon kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const std::size_t next = (i + 1) % polygon.size();
-    if (height[i] <= most) kept.push_back(polygon[i]);
-    if ((height[i] <= most) == (height[next] <= most)) continue;
-    const Quad share = height[i] / (height[i] - height[next]);
-    // Within the tolerance the end itself is as good as the crossing.
-    if (share >= 0 && share <= 1) {
-      kept.push_back(polygon[i] + (polygon[next] - polygon[i]) * share);
-    }
+    if (!taken[i]) kept.push_back(polygon[i]);
+    if (taken[i] == taken[next]) continue;
+    if (const auto corner = plane.crossing(polygon[i], polygon[next])) kept.push_back(*corner);
   }
   polygon = std::move(kept);
   if (polygon.size() < 3) polygon.clear();
 }
 
-/// In double, to save most of the cuts: whether all corners are far below the plane.
-bool is_clear_of(const std::vector<Vec3d>& corners, const HalfSpace& h, const Extent& extent) {
-  const double margin = 1e-9 * extent.size * length(h.normal);
-  return std::ranges::all_of(corners, [&](Vec3d q) {
-    return length(q - extent.middle) < 64 * extent.size && dot(q - h.point, h.normal) < -margin;
-  });
+/// All but one, those first that pass nearest to the middle there: they make most of the edges and
+/// leave little for the others to cut. The face is the same in any order, but takes longer.
+std::vector<std::size_t> nearest_first(std::span<const CuttingPlane> planes, std::size_t own) {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (i != own) order.emplace_back(planes[i].distance_in(planes[own]), i);
+  }
+  std::ranges::sort(order);
+  const auto numbers = order | std::views::values;
+  return {numbers.begin(), numbers.end()};
 }
 
-Polygon face(std::span<const HalfSpace> half_spaces, std::size_t own, const Extent& extent) {
-  Polygon polygon = huge_square(half_spaces[own], extent);
-  std::vector<Vec3d> corners;
-  for (std::size_t i = 0; i < half_spaces.size() && !polygon.empty(); ++i) {
-    if (i == own) continue;
-    const HalfSpace& h = half_spaces[i];
+Polygon face(std::span<const CuttingPlane> planes, std::size_t own, const Extent& extent) {
+  const HalfSpace& h = planes[own].stated();
+  Polygon polygon = huge_square(h, extent);
+  for (const std::size_t i : nearest_first(planes, own)) {
+    if (polygon.empty()) break;
     // Of two half-spaces with the same plane the first has the face.
-    const bool repeats = h.point == half_spaces[own].point && h.normal == half_spaces[own].normal;
-    if (repeats && i < own) return {};
-    if (!corners.empty() && is_clear_of(corners, h, extent)) continue;
-    cut(polygon, h, coincident * extent.size);
-    corners.clear();
-    for (const Point& p : polygon) corners.emplace_back(Vec3d(p));
+    const HalfSpace& other = planes[i].stated();
+    if (i < own && other.point == h.point && other.normal == h.normal) return {};
+    cut(polygon, planes[i]);
   }
   return polygon;
 }
@@ -131,43 +183,44 @@ Box3d box_of_half_spaces(std::span<const HalfSpace> half_spaces) {
 
 /// Whether some point is truly inside of all planes: the mean of all corners; of a single face,
 /// which that lies on, a point behind.
-bool has_interior(std::span<const HalfSpace> half_spaces, const std::vector<Polygon>& faces,
+bool has_interior(std::span<const CuttingPlane> planes, const std::vector<Polygon>& faces,
                   const Extent& extent) {
   Point sum, behind;
   int corners = 0, used = 0;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    for (const Point& p : faces[i]) sum = sum + (p - Point(extent.middle)), ++corners;
+    for (const Corner& corner : faces[i]) {
+      sum = sum + (corner.exact - Point(extent.middle));
+      ++corners;
+    }
     if (faces[i].empty()) continue;
     ++used;
-    behind = Point(normalize(half_spaces[i].normal) * -extent.size);
+    behind = Point(normalize(planes[i].stated().normal) * -extent.size);
   }
   if (corners == 0) return false;
   Point mean = Point(extent.middle) + sum * (Quad(1) / corners);
   if (used == 1) mean = mean + behind;
-  return std::ranges::all_of(half_spaces, [&](const HalfSpace& h) {
-    return dot(mean - Point(h.point), Point(h.normal)) <
-           -Quad(coincident) * extent.size * length(h.normal);
-  });
+  return std::ranges::all_of(planes,
+                             [&](const CuttingPlane& p) { return p.has_clearly_below(mean); });
 }
 
 }  // namespace
 
 PolyhedronFaces faces_of_intersection(std::span<const HalfSpace> half_spaces) {
   const Extent extent = extent_of(half_spaces);
+  std::vector<CuttingPlane> planes;
+  for (const HalfSpace& h : half_spaces) planes.emplace_back(h, extent);
   std::vector<Polygon> faces;
-  for (std::size_t i = 0; i < half_spaces.size(); ++i) {
-    faces.push_back(face(half_spaces, i, extent));
-  }
+  for (std::size_t i = 0; i < planes.size(); ++i) faces.push_back(face(planes, i, extent));
   PolyhedronFaces found;
-  found.has_volume = has_interior(half_spaces, faces, extent);
+  found.has_volume = has_interior(planes, faces, extent);
   if (!found.has_volume) return found;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    std::vector<Vec3d> p;
-    for (const Point& corner : faces[i]) p.emplace_back(Vec3d(corner));
+    const Polygon& p = faces[i];
     for (std::size_t k = 2; k < p.size(); ++k) {
-      found.pieces.push_back({{p[0], p[k - 1], p[k]}, static_cast<Patch>(i)});
+      found.pieces.push_back(
+          {{p[0].rounded, p[k - 1].rounded, p[k].rounded}, static_cast<Patch>(i)});
     }
-    for (const Vec3d& corner : p) found.box.extend(corner);
+    for (const Corner& corner : p) found.box.extend(corner.rounded);
   }
   const Vec3d reach = max(abs(found.box.min - extent.middle), abs(found.box.max - extent.middle));
   if (max_component(reach) > 0.5 * far_away * extent.size) {
