@@ -92,13 +92,13 @@ std::vector<bool> in_one_piece(const BooleanTree& tree, std::span<const Box3d> l
 }  // namespace
 
 Compound::Compound(Expression expression, std::span<const Expression::Term> roots,
-                   std::span<const Box3d> guests, ThreadPool* pool)
+                   std::span<const Box3d> guests, ThreadPool* pool, const FusedSolids* known)
     : stated_{expression.nodes(),
               expression.operands(),
               {roots.begin(), roots.end()},
               {guests.begin(), guests.end()}},
       stated_leaves_(expression.leaves().size()) {
-  expression.fuse_half_spaces(roots, pool);
+  expression.fuse_half_spaces(roots, pool, known);
   tree_ = BooleanTree(expression, roots);
   leaves_ = expression.take_leaves();
   fused_parts_ = expression.take_fused_parts();

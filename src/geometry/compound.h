@@ -37,9 +37,10 @@ class Compound {
 
   Compound() = default;
   /// The outermost hierarchy also holds `guests`, boxes of other things. Without a pool this thread
-  /// does it alone, with the same result.
+  /// does it alone, and without what is known to be fused it fuses all; the result is the same.
   Compound(Expression expression, std::span<const Expression::Term> roots,
-           std::span<const Box3d> guests = {}, ThreadPool* pool = nullptr);
+           std::span<const Box3d> guests = {}, ThreadPool* pool = nullptr,
+           const FusedSolids* known = nullptr);
 
   /// How this compares to what the constructor would make of something, to the bit.
   enum class Likeness : std::uint8_t { different, but_for_tags, same };

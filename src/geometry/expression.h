@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "geometry/fused_solids.h"
 #include "geometry/moving_transform.h"
 #include "geometry/placed_solid.h"
 #include "geometry/ray.h"
@@ -82,8 +83,10 @@ class Expression {
   /// stated. Lines cross the same planes at the same t, bit by bit. Where they cross an edge,
   /// within the error of t, and so enter by several planes at once, t and normal are those of the
   /// last of them instead of the one of least content. Takes n log n time for n half-spaces, and up
-  /// to 512 n for faces. Without a pool this thread does it alone, with the same result.
-  void fuse_half_spaces(std::span<const Term> roots, ThreadPool* pool = nullptr);
+  /// to 512 n for faces. What is `known` is not
+  /// made again. Without a pool this thread does it alone; the result is the same.
+  void fuse_half_spaces(std::span<const Term> roots, ThreadPool* pool = nullptr,
+                        const FusedSolids* known = nullptr);
   /// For each leaf that is fused, from `Leaf::parts` on: the leaf that was stated for each patch.
   const std::vector<std::uint32_t>& fused_parts() const { return fused_parts_; }
   /// Leaves the expression without leaves.

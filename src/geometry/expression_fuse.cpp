@@ -81,7 +81,7 @@ struct Expression::Fusion {
     return p.tag != q.tag ? p.tag < q.tag : placement_less(p.solid, q.solid);
   }
 
-  void fuse_groups(ThreadPool* pool) {
+  void fuse_groups(ThreadPool* pool, const FusedSolids* known) {
     std::vector<Candidate> list = candidates();
     const auto less = [this](const Candidate& a, const Candidate& b) {
       if (group_less(a, b)) return true;
@@ -103,16 +103,18 @@ struct Expression::Fusion {
     std::vector<std::optional<PlacedSolid>> fused(groups.size());
     constexpr std::size_t grain = 16;
     parallel_for(pool, groups.size(), grain, [&](IndexRange piece) {
-      for (std::size_t i = piece.begin; i < piece.end; ++i) fused[i] = fuse(groups[i]);
+      for (std::size_t i = piece.begin; i < piece.end; ++i) fused[i] = fuse(groups[i], known);
     });
     for (std::size_t i = 0; i < groups.size(); ++i) {
       if (fused[i]) replace(groups[i], *fused[i]);
     }
   }
 
-  std::optional<PlacedSolid> fuse(std::span<const Candidate> group) const {
+  std::optional<PlacedSolid> fuse(std::span<const Candidate> group,
+                                  const FusedSolids* known) const {
     std::vector<PlacedSolid> half_spaces;
     for (const Candidate& c : group) half_spaces.push_back(expression.leaves_[c.leaf].solid);
+    if (const auto* again = known ? known->find(half_spaces) : nullptr) return *again;
     return PlacedSolid::fused(half_spaces);
   }
 
@@ -149,14 +151,15 @@ struct Expression::Fusion {
   std::vector<std::uint32_t> replacements;  ///< of leaves as operands
 };
 
-void Expression::fuse_half_spaces(std::span<const Term> roots, ThreadPool* pool) {
+void Expression::fuse_half_spaces(std::span<const Term> roots, ThreadPool* pool,
+                                  const FusedSolids* known) {
   const auto is_half_space = [](const Leaf& leaf) {
     return std::holds_alternative<HalfSpace>(leaf.solid.shape());
   };
   const auto count = std::count_if(leaves_.begin(), leaves_.end(), is_half_space);
   if (static_cast<std::size_t>(count) < Fusion::fewest) return;
   Fusion fusion(*this, roots);
-  fusion.fuse_groups(pool);
+  fusion.fuse_groups(pool, known);
   if (!fused_parts_.empty()) fusion.replace_operands();
 }
 

@@ -138,11 +138,34 @@ std::optional<PlacedSolid> PlacedSolid::fused(std::span<const PlacedSolid> half_
   if (!solid || !std::isfinite(geometry::area(*solid))) return std::nullopt;
   PlacedSolid fused(space ? image(*solid, images, space->world_from_own()) : *solid, {});
   if (space) fused.origin_ = std::make_shared<const Origin>(Origin{*solid, *space});
-  for (const PlacedSolid& h : half_spaces) {
-    fused.surface_error_ = std::max(fused.surface_error_, h.surface_error_);
-    fused.angle_error_ = std::max(fused.angle_error_, h.angle_error_);
-  }
+  fused.surface_error_ = greatest(half_spaces, &PlacedSolid::surface_error_);
+  fused.angle_error_ = greatest(half_spaces, &PlacedSolid::angle_error_);
   return fused;
+}
+
+double PlacedSolid::greatest(std::span<const PlacedSolid> solids, double PlacedSolid::*error) {
+  double most = 0;
+  for (const PlacedSolid& solid : solids) most = std::max(most, solid.*error);
+  return most;
+}
+
+bool PlacedSolid::is_fused_of(std::span<const PlacedSolid> half_spaces) const {
+  const auto has_planes = [&](const Solid& solid, auto plane_of) {
+    const auto& polyhedron = std::get<Polyhedron>(solid);
+    if (polyhedron.face_count() != half_spaces.size()) return false;
+    for (std::size_t i = 0; i < half_spaces.size(); ++i) {
+      const auto& plane = std::get<HalfSpace>(plane_of(half_spaces[i]));
+      if (!same_bits(polyhedron.face(static_cast<Patch>(i)), plane)) return false;
+    }
+    return true;
+  };
+  const OwnSpace *space = own_space(), *other = half_spaces.front().own_space();
+  if ((space == nullptr) != (other == nullptr)) return false;
+  if (space && !same_bits(space->world_from_own(), other->world_from_own())) return false;
+  return same_bits(surface_error_, greatest(half_spaces, &PlacedSolid::surface_error_)) &&
+         same_bits(angle_error_, greatest(half_spaces, &PlacedSolid::angle_error_)) &&
+         has_planes(shape_, [](auto& h) { return h.shape(); }) &&
+         has_planes(solid(), [](auto& h) { return h.solid(); });
 }
 
 bool PlacedSolid::has_same_errors(const PlacedSolid& b) const {

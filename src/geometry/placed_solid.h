@@ -28,6 +28,8 @@ class PlacedSolid {
   /// and its error is at most the greatest of theirs. Nothing where that is unbounded or has no
   /// volume.
   static std::optional<PlacedSolid> fused(std::span<const PlacedSolid> half_spaces);
+  /// Whether this, which was fused, is what `fused` makes of these, to the bit.
+  bool is_fused_of(std::span<const PlacedSolid> half_spaces) const;
 
   /// What lines meet: the image in the world, or the solid itself in its own space.
   const Solid& shape() const { return shape_; }
@@ -55,6 +57,7 @@ class PlacedSolid {
     OwnSpace space;
   };
 
+  static double greatest(std::span<const PlacedSolid> solids, double PlacedSolid::*error);
   void set_baked(const Solid& image, const Solid& solid, const OwnSpace& space);
 
   Solid shape_;

@@ -33,9 +33,10 @@ SolidScene::SolidScene(Parts parts, ThreadPool* pool, Compounds* kept)
   Compounds nothing;
   Compounds& earlier = kept != nullptr ? *kept : nothing;
   region_bounds_.resize(regions_.size());
-  build_assemblies(std::move(parts.assemblies), earlier, pool);
+  FusedSolids known;
+  build_assemblies(std::move(parts.assemblies), earlier, known, pool);
   const std::vector<Box3d> guests = place_instances(parts.instances);
-  build_world(std::move(parts.expression), guests, earlier, pool);
+  build_world(std::move(parts.expression), guests, earlier, known, pool);
   for (const Box3d& box : region_bounds_) {
     if (box.bounded()) bounded_part_.extend(box);
   }
@@ -59,8 +60,9 @@ std::optional<SolidScene::WornCompound> SolidScene::worn_again(
   return worn;
 }
 
-void SolidScene::build_assemblies(std::vector<Assembly> stated, Compounds& kept, ThreadPool* pool) {
-  const auto earlier = std::exchange(kept.assemblies, {});
+void SolidScene::build_assemblies(std::vector<Assembly> stated, Compounds& kept, FusedSolids& known,
+                                  ThreadPool* pool) {
+  auto earlier = std::exchange(kept.assemblies, {});
   assemblies_.resize(stated.size());
   std::size_t next = 0;  // the first to try: most keep their order
   for (std::size_t i = 0; i < stated.size(); ++i) {
@@ -73,11 +75,15 @@ void SolidScene::build_assemblies(std::vector<Assembly> stated, Compounds& kept,
       next = at + 1;
     }
   }
+  const auto is_built = [](const WornCompound& worn) { return worn.compound != nullptr; };
+  if (std::ranges::all_of(assemblies_, is_built)) return;
+  for (const auto& compound : earlier) known.add(*compound);
+  earlier.clear();
   for (std::size_t i = 0; i < stated.size(); ++i) {
     if (assemblies_[i].compound) continue;
-    assemblies_[i].compound = std::make_shared<const Compound>(std::move(stated[i].expression),
-                                                               std::span(&stated[i].root, 1),
-                                                               std::span<const Box3d>{}, pool);
+    assemblies_[i].compound = std::make_shared<const Compound>(
+        std::move(stated[i].expression), std::span(&stated[i].root, 1), std::span<const Box3d>{},
+        pool, &known);
   }
 }
 
@@ -99,7 +105,7 @@ std::vector<Box3d> SolidScene::place_instances(const std::vector<Instance>& inst
 }
 
 void SolidScene::build_world(Expression expression, std::span<const Box3d> guests, Compounds& kept,
-                             ThreadPool* pool) {
+                             FusedSolids& known, ThreadPool* pool) {
   std::vector<Term> roots;
   for (std::uint32_t i = 0; i < regions_.size(); ++i) {
     if (regions_[i].instance != Region::no_instance) continue;
@@ -109,8 +115,10 @@ void SolidScene::build_world(Expression expression, std::span<const Box3d> guest
   if (auto worn = worn_again(kept.world, expression, roots, guests, pool)) {
     world_ = std::move(*worn);
   } else {
+    if (kept.world) known.add(*kept.world);
     kept.world = nullptr;
-    world_.compound = std::make_shared<const Compound>(std::move(expression), roots, guests, pool);
+    world_.compound =
+        std::make_shared<const Compound>(std::move(expression), roots, guests, pool, &known);
   }
   for (std::size_t root = 0; root < roots.size(); ++root) {
     const std::uint32_t region = root_regions_[root];

@@ -117,10 +117,12 @@ class SolidScene {
                                                 const Expression& expression,
                                                 std::span<const Expression::Term> roots,
                                                 std::span<const Box3d> guests, ThreadPool* pool);
-  void build_assemblies(std::vector<Assembly> stated, Compounds& kept, ThreadPool* pool);
+  /// `known`: what is fused in the kept ones, which go.
+  void build_assemblies(std::vector<Assembly> stated, Compounds& kept, FusedSolids& known,
+                        ThreadPool* pool);
   std::vector<Box3d> place_instances(const std::vector<Instance>& instances);
   void build_world(Expression expression, std::span<const Box3d> guests, Compounds& kept,
-                   ThreadPool* pool);
+                   FusedSolids& known, ThreadPool* pool);
   void rank_regions();
   const WornCompound& worn(std::uint32_t place_number) const {
     return place_number == 0 ? world_ : assemblies_[places_[place_number - 1].assembly];
