@@ -55,6 +55,7 @@ class Compound {
   /// How many of `leaves()` were stated; those behind them are fused of some of these, which then
   /// are in no hierarchy.
   std::size_t stated_leaves() const { return stated_leaves_; }
+  std::span<const Leaf> fused_leaves() const { return std::span(leaves_).subspan(stated_leaves_); }
   /// What a leaf is fused of (`Expression::fuse_half_spaces`), by patch; nothing for others.
   std::span<const std::uint32_t> parts(std::uint32_t leaf) const {
     if (leaves_[leaf].parts == Expression::no_parts) return {};

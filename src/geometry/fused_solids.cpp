@@ -3,8 +3,6 @@
 #include <functional>
 #include <string_view>
 
-#include "geometry/compound.h"
-
 namespace lapidary::geometry {
 namespace {
 
@@ -23,14 +21,11 @@ class PlaneHash {
 
 }  // namespace
 
-void FusedSolids::add(const Compound& compound) {
-  for (std::size_t i = compound.stated_leaves(); i < compound.leaves().size(); ++i) {
-    const PlacedSolid& solid = compound.leaves()[i].solid;
-    const auto& shape = std::get<Polyhedron>(solid.shape());
-    PlaneHash hash;
-    for (Patch face = 0; face < shape.face_count(); ++face) hash.add(shape.face(face));
-    by_planes_.emplace(hash.value(), solid);
-  }
+void FusedSolids::add(const PlacedSolid& fused) {
+  const auto& shape = std::get<Polyhedron>(fused.shape());
+  PlaneHash hash;
+  for (Patch face = 0; face < shape.face_count(); ++face) hash.add(shape.face(face));
+  by_planes_.emplace(hash.value(), fused);
 }
 
 const PlacedSolid* FusedSolids::find(std::span<const PlacedSolid> half_spaces) const {

@@ -8,14 +8,11 @@
 
 namespace lapidary::geometry {
 
-class Compound;
-
 /// What half-spaces were fused to in a scene before this: to find the faces of many takes far
 /// longer than to compare them.
 class FusedSolids {
  public:
-  /// All that are in it.
-  void add(const Compound& compound);
+  void add(const PlacedSolid& fused);
   /// What `PlacedSolid::fused` would make of the half-spaces (at least one), to the bit; null if it
   /// is not here. Valid until more are added.
   const PlacedSolid* find(std::span<const PlacedSolid> half_spaces) const;

@@ -22,6 +22,10 @@ Box3d world_box(const Box3d& own, const Transform& map) {
   return {box.min - slack, box.max + slack};
 }
 
+void add_fused(const Compound& compound, FusedSolids& all) {
+  for (const Compound::Leaf& leaf : compound.fused_leaves()) all.add(leaf.solid);
+}
+
 double reach_of(const Box3d& box) {
   return box.empty() ? 0.0 : length(max(abs(box.min), abs(box.max)));
 }
@@ -77,7 +81,7 @@ void SolidScene::build_assemblies(std::vector<Assembly> stated, Compounds& kept,
   }
   const auto is_built = [](const WornCompound& worn) { return worn.compound != nullptr; };
   if (std::ranges::all_of(assemblies_, is_built)) return;
-  for (const auto& compound : earlier) known.add(*compound);
+  for (const auto& compound : earlier) add_fused(*compound, known);
   earlier.clear();
   for (std::size_t i = 0; i < stated.size(); ++i) {
     if (assemblies_[i].compound) continue;
@@ -115,7 +119,7 @@ void SolidScene::build_world(Expression expression, std::span<const Box3d> guest
   if (auto worn = worn_again(kept.world, expression, roots, guests, pool)) {
     world_ = std::move(*worn);
   } else {
-    if (kept.world) known.add(*kept.world);
+    if (kept.world) add_fused(*kept.world, known);
     kept.world = nullptr;
     world_.compound =
         std::make_shared<const Compound>(std::move(expression), roots, guests, pool, &known);

@@ -60,6 +60,12 @@ struct Gems {
 
 const Transform maps[]{{}, Transform::translation({0.1, -2, 0.7}), test::csg::odd_placement()};
 
+FusedSolids all_of(const Compound& compound) {
+  FusedSolids all;
+  for (const Compound::Leaf& leaf : compound.fused_leaves()) all.add(leaf.solid);
+  return all;
+}
+
 /// As they are fused in a scene: in the order that it puts them in.
 std::vector<PlacedSolid> fused_parts(const Compound& compound, std::uint32_t leaf) {
   std::vector<PlacedSolid> parts;
@@ -79,8 +85,7 @@ TEST(FusedSolids, FindsAllOfACompoundAndNothingElse) {
   const SolidScene built(scene.parts());
   const Compound& compound = built.world();
   ASSERT_EQ(compound.leaves().size(), compound.stated_leaves() + 30);
-  FusedSolids known;
-  known.add(compound);
+  const FusedSolids known = all_of(compound);
   for (auto leaf = static_cast<std::uint32_t>(compound.stated_leaves());
        leaf < compound.leaves().size(); ++leaf) {
     std::vector<PlacedSolid> parts = fused_parts(compound, leaf);
@@ -113,8 +118,7 @@ TEST(FusedSolids, TellsApartWhatHasOtherCoordinates) {
   const Transform turn = Transform::rotation({0, 0, 1}, pi);
   scene.gems.push_back(placed(planes, turn));
   const SolidScene built(scene.parts());
-  FusedSolids known;
-  known.add(built.world());
+  const FusedSolids known = all_of(built.world());
   const auto leaf = static_cast<std::uint32_t>(built.world().stated_leaves());
   const std::vector<PlacedSolid> parts = fused_parts(built.world(), leaf);
   ASSERT_NE(known.find(parts), nullptr);
