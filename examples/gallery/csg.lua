@@ -14,5 +14,5 @@ return scene {
   camera = perspective { from = { 0, -11, 4.6 }, at = { 0, 0, 0.82 }, fov = 23.5, fov_axis = "y" },
   lights = studio.lights(),
   objects = { row, studio.floor "#d9d4ca" },
-  render = { size = studio.size, samples = 80 },
+  render = { size = studio.size, samples = 128 },
 }

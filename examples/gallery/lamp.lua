@@ -61,5 +61,5 @@ return scene {
     plane { point = { 0, 2.6, 0 }, normal = { 0, -1, 0 }, material = plaster },
     plane { point = { -3.6, 0, 0 }, normal = { 1, 0, 0 }, material = plaster },
   },
-  render = { size = { 640, 400 }, samples = 80, max_depth = 4 },
+  render = { size = { 640, 400 }, samples = 128, max_depth = 4 },
 }

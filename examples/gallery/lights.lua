@@ -34,5 +34,5 @@ return scene {
     ball(1.15, -0.5, 0.9, glass(1.5)),
     ball(0.15, -1.9, 0.3, matte "#e8e2d6"),
   },
-  render = { size = { 640, 400 }, samples = 208 },
+  render = { size = { 640, 400 }, samples = 96 },
 }

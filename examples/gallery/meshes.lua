@@ -54,5 +54,5 @@ return scene {
   camera = perspective { from = { 0, -9, 3.4 }, at = { 0.15, 0, 0.85 }, fov = 20 },
   lights = studio.lights(),
   objects = { subject, studio.floor "#55606b" },
-  render = { size = studio.size, samples = 80 },
+  render = { size = studio.size, samples = 96 },
 }

@@ -66,6 +66,6 @@ return scene {
     carving:material(matte(timber)):rotate { z = 33 }:translate { z = 1.1 }:name "carving",
     plane { material = matte "#8f877c", name = "table" },
   },
-  render = { size = { 640, 400 }, samples = 80 },
+  render = { size = { 640, 400 }, samples = 96 },
   film = { exposure = 1.1 },
 }

@@ -47,5 +47,5 @@ return scene {
   camera = perspective { from = { 0, -11, 3.4 }, at = { 0, 0, 0.98 }, fov = 23, fov_axis = "y" },
   lights = studio.lights(),
   objects = { row, studio.floor "#8a7a6c" },
-  render = { size = studio.size, samples = 80 },
+  render = { size = studio.size, samples = 96 },
 }

@@ -34,5 +34,5 @@ return scene {
   camera = perspective { from = { 0, -11, 4 }, at = { 0, 0, 0.9 }, fov = 22.5, fov_axis = "y" },
   lights = studio.lights(),
   objects = { row, studio.floor(checker { "#d5cfc2", "#6d7a84" }:scale(0.8)) },
-  render = { size = studio.size, samples = 80 },
+  render = { size = studio.size, samples = 128 },
 }

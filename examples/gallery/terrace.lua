@@ -75,6 +75,6 @@ return scene {
     planks,
     plane { point = { 0, 0, -40 }, material = lake, name = "lake" },
   },
-  render = { size = { 640, 400 }, samples = 96, max_depth = 24 },
+  render = { size = { 640, 400 }, samples = 80, max_depth = 24 },
   film = { exposure = 0.06 },
 }

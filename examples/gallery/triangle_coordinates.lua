@@ -71,5 +71,5 @@ return scene {
     pair(nil, "#1f6f63", -2.5), pair(normalised, "#a33b2a", 0), pair(one_length, "#a33b2a", 2.5),
     studio.floor "#8f9499",
   },
-  render = { size = studio.size, samples = 80 },
+  render = { size = studio.size, samples = 128 },
 }
