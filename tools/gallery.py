@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Renders examples/gallery/*.lua into docs/gallery/*.jpg and writes the page that shows them.
+"""Renders scenes of examples/ into docs/gallery/*.jpg and writes the page that shows them.
 
-A scene's leading comment is its label: title in the first line, then the caption up to an empty
-comment line or the end of the comment. What a picture took is kept in docs/gallery/seconds.json, so
-that rendering some anew leaves the rest of the page as it is.
+A scene's leading comment is its label: a title, a colon, and the caption up to an empty comment
+line or the end of the comment. What a picture took is kept in docs/gallery/seconds.json, so that
+rendering some anew leaves the rest of the page as it is.
 """
 
 import argparse
@@ -16,9 +16,28 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-SCENES = ROOT / "examples" / "gallery"
+EXAMPLES = ROOT / "examples"
 GALLERY = ROOT / "docs" / "gallery"
 SECONDS = GALLERY / "seconds.json"
+
+
+@dataclasses.dataclass(frozen=True)
+class Scene:
+    path: str  # below examples/, without .lua
+    options: tuple = ()  # of lapidary render
+
+    @property
+    def name(self):
+        return pathlib.PurePath(self.path).name
+
+    @property
+    def file(self):
+        return EXAMPLES / f"{self.path}.lua"
+
+
+def of_gallery(*names):
+    """Scenes made for the gallery."""
+    return tuple(Scene(f"gallery/{name}") for name in names)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -32,12 +51,21 @@ WINGS = (
     Wing("The course",
          "Lapidary began as the ray tracer of a course. These are its exercises, each with the one "
          "thing that it teaches.",
-         ("meshes", "spheres", "sphere_mapping", "triangle_coordinates", "csg", "cylinders",
-          "lights")),
+         of_gallery("meshes", "spheres", "sphere_mapping", "triangle_coordinates", "csg",
+                    "cylinders", "lights")),
+    Wing("Light that was bent",
+         "What glass, water and gold do to light. Paths and photons share the work by themselves: "
+         "there is nothing to tune.",
+         (Scene("caustics", ("--size", "640x480", "--samples", "96")),
+          Scene("rainbow", ("--size", "640x480", "--samples", "96")),
+          Scene("ring", ("--size", "640x480", "--samples", "96")),
+          Scene("pool", ("--size", "640x480", "--samples", "96")),
+          Scene("gem", ("--size", "640x512", "--samples", "96")),
+          Scene("photon_blur", ("--size", "640x360", "--samples", "64")))),
     Wing("Showpieces",
          "What exact solids, patterns that fill them, media that overlap and thousands of lights "
          "are good for.",
-         ("puzzle", "terrace", "lamp", "street")),
+         of_gallery("puzzle", "terrace", "lamp", "street")),
 )
 
 STYLE = """
@@ -93,49 +121,56 @@ class Label:
 def label_of(scene):
     """The title and caption in the leading comment of a scene's file."""
     lines = []
-    for line in scene.read_text().splitlines():
+    for line in scene.file.read_text().splitlines():
         text = line.removeprefix("--").strip()
         if not line.startswith("--") or not text:
             break
         lines.append(text)
-    if len(lines) < 2:
-        fail(f"{scene.relative_to(ROOT)} does not begin with a title and a caption in comments")
-    return Label(lines[0], " ".join(lines[1:]))
+    title, colon, caption = " ".join(lines).partition(": ")
+    if not colon:
+        fail(f"{scene.file.relative_to(ROOT)} does not begin with a comment 'Title: caption'")
+    return Label(title, caption[0].upper() + caption[1:])
 
 
 def check_wings():
-    """Every scene hangs in one wing, and every place there has a scene."""
-    hung = [name for wing in WINGS for name in wing.scenes]
-    there = {path.stem for path in SCENES.glob("*.lua")}
-    if there != set(hung) or len(hung) != len(set(hung)):
-        fail(f"WINGS and examples/gallery differ in: {sorted(there ^ set(hung))}")
-    return hung
+    """All scenes, by name: those made for the gallery hang in one wing each."""
+    hung = [scene for wing in WINGS for scene in wing.scenes]
+    names = [scene.name for scene in hung]
+    if len(names) != len(set(names)):
+        fail("WINGS has two scenes of the same name")
+    missing = {path.stem for path in (EXAMPLES / "gallery").glob("*.lua")} - set(names)
+    missing |= {scene.path for scene in hung if not scene.file.exists()}
+    if missing:
+        fail(f"WINGS and examples differ in: {', '.join(sorted(missing))}")
+    return {scene.name: scene for scene in hung}
 
 
-def render(program, name, options):
+def render(program, scene, options):
     """Renders a scene; what it took, in seconds of one core, and the picture's size."""
     with tempfile.TemporaryDirectory() as folder:
         stats = pathlib.Path(folder) / "stats.json"
-        picture = GALLERY / f"{name}.jpg"
-        done = subprocess.run([program, "render", SCENES / f"{name}.lua", "-o", picture,
-                               "--stats", stats, "--quiet", *options])
+        picture = GALLERY / f"{scene.name}.jpg"
+        done = subprocess.run([program, "render", scene.file, "-o", picture, "--stats", stats,
+                               "--quiet", *scene.options, *options])
         if done.returncode != 0:
-            fail(f"could not render {name}")
+            fail(f"could not render {scene.name}")
         numbers = json.loads(stats.read_text())
     return {"seconds": round(numbers["cpu_seconds"], 1), "size": numbers["size"]}
 
 
-def figure(name, took):
-    label = label_of(SCENES / f"{name}.lua")
+def figure(scene, took):
+    label = label_of(scene)
     width, height = took["size"]
     title = html.escape(label.title)
+    how = "".join(f"<code>{html.escape(' '.join(pair))}</code> " for pair in
+                  zip(scene.options[::2], scene.options[1::2]))
     return f"""<figure>
-<img src="{name}.jpg" width="{width}" height="{height}" alt="{title}" loading="lazy">
+<img src="{scene.name}.jpg" width="{width}" height="{height}" alt="{title}" loading="lazy">
 <figcaption>
 <h3>{title}</h3>
 <p>{html.escape(label.caption)}</p>
-<p class="facts"><a href="../../examples/gallery/{name}.lua"><code>{name}.lua</code></a>
-· {took["seconds"]:.0f} s</p>
+<p class="facts"><a href="../../examples/{scene.path}.lua"><code>{scene.name}.lua</code></a>
+{how}· {took["seconds"]:.0f} s</p>
 </figcaption>
 </figure>
 """
@@ -147,7 +182,7 @@ def page(taken):
 <h2>{wing.title}</h2>
 <p>{wing.intro}</p>
 <div class="pictures">
-{"".join(figure(name, taken[name]) for name in wing.scenes if name in taken)}</div>
+{"".join(figure(scene, taken[scene.name]) for scene in wing.scenes if scene.name in taken)}</div>
 </section>
 """ for wing in WINGS)
     return f"""<!DOCTYPE html>
@@ -161,8 +196,9 @@ def page(taken):
 <body>
 <header>
 <h1>Lapidary: the gallery</h1>
-<p>Solids and light. Every picture is rendered from the Lua file named below it; the seconds are
-those of one core, loading included. <code>./dev gallery</code> renders them anew.</p>
+<p>Solids and light. Every picture is rendered from the Lua file named below it, with the options
+that stand there; the seconds are those of one core, loading included. <code>./dev gallery</code>
+renders them anew.</p>
 </header>
 <main>
 {wings}</main>
@@ -189,7 +225,7 @@ def main():
     taken = json.loads(SECONDS.read_text()) if SECONDS.exists() else {}
     taken = {name: took for name, took in taken.items() if name in hung}
     for name in arguments.names or hung:
-        took = render(arguments.program, name, options)
+        took = render(arguments.program, hung[name], options)
         taken[name] = took
         print(f"{name}: {took['seconds']} s", flush=True)
         SECONDS.write_text(json.dumps(taken, indent=2, sort_keys=True) + "\n")

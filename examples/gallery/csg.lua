@@ -1,6 +1,5 @@
--- Union, intersection, difference
--- One box and one ball, joined, intersected and cut: a + b, a & b, a - b. Where the box is cut it
--- wears the colour of the ball that cut it.
+-- Union, intersection, difference: one box and one ball, joined, intersected and cut: a + b, a & b,
+-- a - b. Where the box is cut it wears the colour of the ball that cut it.
 local studio = require "parts.studio"
 
 local a = box { size = { 1.4, 1.4, 1.4 } }:material(matte "#2b6a8a")

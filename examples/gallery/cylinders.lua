@@ -1,6 +1,6 @@
--- Cylinders and mushrooms
--- Left solid cylinders, whose caps are flat. Right the same as meshes with a classic mistake: caps
--- with the normals of a ball about the middle, which makes mushrooms of them.
+-- Cylinders and mushrooms: left solid cylinders, whose caps are flat. Right the same as meshes with
+-- a classic mistake: caps with the normals of a ball about the middle, which makes mushrooms of
+-- them.
 local studio = require "parts.studio"
 
 local cos, sin, sqrt, pi = math.cos, math.sin, math.sqrt, math.pi

@@ -1,6 +1,6 @@
--- A lamp that writes on walls
--- A shade of brass, pierced by 184 stars. Each is a pyramid that points at the one small bulb and
--- is cut out of the shell, so the light through it draws the star again on the wall.
+-- A lamp that writes on walls: a shade of brass, pierced by 184 stars. Each is a pyramid that
+-- points at the one small bulb and is cut out of the shell, so the light through it draws the star
+-- again on the wall.
 
 local cos, sin, pi = math.cos, math.sin, math.pi
 

@@ -1,6 +1,6 @@
--- Lights that are there
--- Balls of light, seen directly, mirrored in the silver and the dull floor, and upside down through
--- the glass. They are objects among others and, but for a dim sky, all the light.
+-- Lights that are there: balls of light, seen directly, mirrored in the silver and the dull floor,
+-- and upside down through the glass. They are objects among others and, but for a dim sky, all the
+-- light.
 
 local function globe(x, y, radius, color, brightness)
   return sphere_light {

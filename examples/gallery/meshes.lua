@@ -1,6 +1,5 @@
--- A mesh
--- Any mesh may stand here: --set mesh=duck.obj. Without one it is a pumpkin, a distance from the
--- middle for every longitude and latitude, in 36 000 triangles with smooth normals.
+-- A mesh: any may stand here, by --set mesh=duck.obj. Without one it is a pumpkin, a distance from
+-- the middle for every longitude and latitude, in 36 000 triangles with smooth normals.
 local studio = require "parts.studio"
 local surfaces = require "parts.surfaces"
 

@@ -1,6 +1,6 @@
--- Carved from one block
--- A frame, three shells and a ball, one inside the other, cut out of a single block of wood by
--- balls and 36 cones. The wood is a pattern in space: its rings go on through every cut.
+-- Carved from one block: a frame, three shells and a ball, one inside the other, cut out of a
+-- single block of wood by balls and 36 cones. The wood is a pattern in space: its rings go on
+-- through every cut.
 
 local cos, sin, pi, sqrt = math.cos, math.sin, math.pi, math.sqrt
 

@@ -1,6 +1,6 @@
--- A map on what is no ball
--- One map of a world, by longitude and latitude about the middle, on a ball and on two meshes that
--- are none: meridians and parallels bend to the shapes, and the seam of the map does not show.
+-- A map on what is no ball: one map of a world, by longitude and latitude about the middle, on a
+-- ball and on two meshes that are none. Meridians and parallels bend to the shapes, and the seam of
+-- the map does not show.
 local studio = require "parts.studio"
 local surfaces = require "parts.surfaces"
 

@@ -1,6 +1,6 @@
--- A street of lanterns
--- Nearly seven thousand lights, windows and bulbs of garlands across a wet street, each an object
--- that glows. For every point a tree over all of them finds the few that matter there.
+-- A street of lanterns: nearly seven thousand lights, windows and bulbs of garlands across a wet
+-- street, each an object that glows. For every point a tree over all of them finds the few that
+-- matter there.
 
 -- Numbers that look random and stay the same.
 local seed = 11

@@ -1,6 +1,5 @@
--- Wine at dusk
--- Wine in one glass, water and ice in another, by a lake under the sky of a clear evening. Liquid,
--- ice and glass overlap as solids; what borders on what follows from that.
+-- Wine at dusk: wine in one glass, water and ice in another, by a lake under the sky of a clear
+-- evening. Liquid, ice and glass overlap as solids; what borders on what follows from that.
 
 local clear = glass(1.5)
 local wine = glass { ior = 1.345, color = { 0.42, 0.012, 0.025 }, distance = 0.6 }

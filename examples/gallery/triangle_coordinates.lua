@@ -1,7 +1,7 @@
--- Coordinates of a triangle
--- A mesh without texture coordinates gets some for each triangle from its edges, u = d1.(p - p1) /
--- d1.d1 and v likewise: every triangle has the same four by four squares (left). Normalised edges
--- give lengths instead of shares (middle); dividing both by one length squeezes v (right).
+-- Coordinates of a triangle: a mesh without texture coordinates gets some for each triangle from
+-- its edges, u = d1.(p - p1) / d1.d1 and v likewise: every triangle has the same four by four
+-- squares (left). Normalised edges give lengths instead of shares (middle); dividing both by one
+-- length squeezes v (right).
 local studio = require "parts.studio"
 
 local function minus(a, b) return { a[1] - b[1], a[2] - b[2], a[3] - b[3] } end

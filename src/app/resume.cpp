@@ -21,9 +21,11 @@ bool exists(const std::string& file) {
   return !file.empty() && std::filesystem::exists(file, ignored);
 }
 
-/// The checkpoint in `file`, if it is one of the render that is to go on.
+/// The checkpoint in `file`, if it is one of the render that is to go on. `way_out` is what one can
+/// do where it is not.
 Checkpoint read_same(const std::string& file, const render::Origin& origin,
-                     const Film::Settings& settings, const render::BlockRenderer& renderer) {
+                     const Film::Settings& settings, const render::BlockRenderer& renderer,
+                     const std::string& way_out) {
   Checkpoint checkpoint = render::read_checkpoint(file);
   std::vector<std::string> differences = render::differences(checkpoint.origin, origin);
   const Film::Settings& held = checkpoint.canvas.film().settings();
@@ -33,14 +35,13 @@ Checkpoint read_same(const std::string& file, const render::Origin& origin,
   if (!differences.empty()) {
     throw DifferentPicture(
         fmt::format("{}: the checkpoint is of another picture", file), differences,
-        "make these the same, or start again without --resume; more samples need no change");
+        fmt::format("make these the same, or {}; more samples need no change", way_out));
   }
   const bool is_adaptive = renderer.sampling() == render::Sampling::adaptive;
   Film::Settings expected = settings;
   expected.layers = held.layers;
   if (held != expected || checkpoint.canvas.plan().has_value() != is_adaptive) {
-    throw file_error(file, "its checkpoint contradicts the scene that it is from",
-                     "start again without --resume");
+    throw file_error(file, "its checkpoint contradicts the scene that it is from", way_out);
   }
   return checkpoint;
 }
@@ -48,12 +49,14 @@ Checkpoint read_same(const std::string& file, const render::Origin& origin,
 Start find_start(const RenderCommand& command, const Outputs& outputs, const render::Origin& origin,
                  const Film::Settings& settings, const render::BlockRenderer& renderer) {
   if (command.resumes && exists(outputs.checkpoint())) {
-    Checkpoint found = read_same(outputs.checkpoint(), origin, settings, renderer);
+    Checkpoint found =
+        read_same(outputs.checkpoint(), origin, settings, renderer, "start again without --resume");
     return {std::move(found.canvas), Start::From::checkpoint};
   }
   const auto from = command.resumes ? Start::From::no_checkpoint : Start::From::nothing;
   if (command.plan_file.empty()) return {Canvas(settings, renderer), from};
-  const Checkpoint plan = read_same(command.plan_file, origin, settings, renderer);
+  const Checkpoint plan = read_same(command.plan_file, origin, settings, renderer,
+                                    "name a picture of this scene with --plan");
   return {Canvas(Film(settings), plan.canvas.plan()), from};
 }
 

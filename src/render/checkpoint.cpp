@@ -136,7 +136,7 @@ class Reading {
                      fmt::format("its checkpoint is broken: '{}' is missing or makes no "
                                  "sense",
                                  what),
-                     "start again without --resume, or take an older copy");
+                     "take an older copy, or render it again");
   }
 
   const image::Attribute* find(const std::string& name) const {
