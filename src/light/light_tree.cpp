@@ -165,40 +165,6 @@ LightTree::Shares LightTree::shares(const Node& parent, const LitPoint& to) cons
   return {left / sum, right / sum};
 }
 
-double LightTree::irradiance(const LitPoint& to) const {
-  return empty() ? 0.0 : total_ * nodes_.front().at(to);
-}
-
-Choice LightTree::choose(const LitPoint& to, double u) const {
-  constexpr double below_one = 1.0 - 0x1p-53;
-  const Node* node = &nodes_.front();
-  double probability = 1.0;
-  while (node->next != 0) {
-    const auto [left, right] = shares(*node, to);
-    if (left + right == 0.0) return {};
-    const bool goes_left = u < left;
-    const double share = goes_left ? left : right;
-    u = std::clamp(goes_left ? u / share : (u - left) / share, 0.0, below_one);
-    probability *= share;
-    node = &nodes_[node->next + (goes_left ? 0 : 1)];
-  }
-  return {node->light, probability, u};
-}
-
-double LightTree::probability(const LitPoint& to, std::size_t index) const {
-  std::uint64_t trail = trails_[index];
-  if (trail == 0) return 0.0;
-  const Node* node = &nodes_.front();
-  double probability = 1.0;
-  for (; trail != 1 && probability > 0.0; trail >>= 1) {
-    const auto [left, right] = shares(*node, to);
-    const bool goes_left = (trail & 1) == 0;
-    probability *= goes_left ? left : right;
-    node = &nodes_[node->next + (goes_left ? 0 : 1)];
-  }
-  return probability;
-}
-
 std::size_t LightTree::bytes() const {
   return nodes_.capacity() * sizeof(Node) + trails_.capacity() * sizeof(std::uint64_t);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,12 +11,13 @@
 namespace lapidary::light {
 
 /// A hierarchy of the lights that stand somewhere, to choose one of very many: on the way down from
-/// the root, each branch is taken in proportion to a bound on the irradiance that its lights could
-/// cause. Lights that are everywhere or dark are left out.
+/// a cut through it, each branch is taken in proportion to a bound on the irradiance that its
+/// lights could cause. Lights that are everywhere or dark are left out.
 ///
 /// Memory: 136 bytes per light. Time: of building as n log n, of a choice as the depth, log n.
 ///
-/// Source: Conty Estevez & Kulla 2018, without the splitting of section 5.
+/// Source: Conty Estevez & Kulla 2018. In place of the splitting of section 5, which takes several
+/// lights for a point, one is chosen from a cut as in Walter et al. 2005.
 class LightTree {
  public:
   /// Light i is that of `lights[i]`; at most 2^31 lights.
@@ -25,12 +27,7 @@ class LightTree {
   /// Whether light `index` is there.
   bool holds(std::size_t index) const { return trails_[index] != 0; }
 
-  /// About the irradiance at `to` of all lights together; 0 only where none arrives.
-  double irradiance(const LitPoint& to) const;
-  /// `u` in [0, 1). A light that reaches `to` has a chance. Needs a light.
-  Choice choose(const LitPoint& to, double u) const;
-  /// That `choose` picks light `index` for `to`; to the bit that of the choice.
-  double probability(const LitPoint& to, std::size_t index) const;
+  class Cut;
 
   std::size_t bytes() const;
 
@@ -71,6 +68,39 @@ class LightTree {
   /// one that is left out.
   std::vector<std::uint64_t> trails_;
   double total_ = 0;  ///< intensity
+};
+
+/// Branches that hold all lights, closer where they matter more for a point. What a branch could do
+/// is hardly known as long as it is large: a few spots that shine past the point, among lamps,
+/// would draw all attention.
+class LightTree::Cut {
+ public:
+  /// The tree stays where it is while this lives.
+  Cut(const LightTree& tree, const LitPoint& to);
+
+  /// About the irradiance of all lights together; 0 only where none arrives.
+  double irradiance() const { return tree_.total_ * sum_; }
+  /// `u` in [0, 1). A light that reaches the point has a chance.
+  Choice choose(double u) const;
+  /// That `choose` picks light `index`; to the bit that of the choice.
+  double probability(std::size_t index) const;
+
+ private:
+  static constexpr std::size_t most = 24;
+
+  struct Branch {
+    const Node* node = nullptr;
+    double weight = 0;
+    std::uint32_t depth = 0;
+    std::uint64_t turns = 0;  ///< on the way from the root, as those of `trails_`
+  };
+  void divide(Branch& branch);
+
+  const LightTree& tree_;
+  LitPoint to_;
+  std::array<Branch, most> branches_;
+  std::size_t count_ = 0;
+  double sum_ = 0;  ///< of all weights
 };
 
 }  // namespace lapidary::light

@@ -24,8 +24,8 @@ class ManyLights {
   std::size_t bytes() const;
 
  private:
-  /// The chance that a light is chosen which is everywhere.
-  double share_everywhere(const LitPoint& to) const;
+  /// The chance that a light is chosen which is everywhere; `nearby`: of all others.
+  double share_everywhere(const LightTree::Cut& nearby) const;
 
   LightTree tree_;
   std::vector<std::uint32_t> everywhere_;              ///< in ascending order

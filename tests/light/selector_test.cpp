@@ -225,6 +225,36 @@ TEST(ManyLights, AreChosenByWhereTheyAre) {
   EXPECT_GT(selector.probability({floor.p}, 501), 0.0) << "without a normal, it counts";
 }
 
+// Bright narrow spots all around, none of which shines on the point: lamps have all the chances.
+TEST(ManyLights, AreNotHiddenByBrightSpotsThatShinePast) {
+  std::vector<Light> lights;
+  for (int i = 0; i < 46; ++i) {
+    const double a = 2.4 * i;
+    const Vec3d at{8 * std::cos(a), 8 * std::sin(a), 5 + 0.1 * i};
+    if (i % 8 == 0) {
+      const double aim = 4 * a;
+      lights.push_back(SpotLight(
+          at, {normalize(Vec3d{std::cos(aim), std::sin(aim), 0} - at), 0.0, 0.05}, white(500)));
+    } else {
+      lights.push_back(SphereLight(at, 0.2, white()));
+    }
+  }
+  const LightSelector selector(lights, 10.0);
+  const LitPoint center{{0, 0, 0}, {0, 0, 1}};
+  double of_lamps = 0.0;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const double probability = selector.probability(center, i);
+    if (i % 8 == 0) {
+      EXPECT_EQ(probability, 0.0) << i;
+    } else {
+      of_lamps += probability;
+      EXPECT_GT(probability, 0.3 / 40) << i;
+      EXPECT_LT(probability, 3.0 / 40) << i;
+    }
+  }
+  EXPECT_NEAR(of_lamps, 1.0, 1e-12) << "the rest of all choices would be lost";
+}
+
 TEST(ManyLights, MayAllStandInOnePlace) {
   std::vector<Light> lights;
   for (int i = 0; i < 3000; ++i) lights.push_back(PointLight{{1, 2, 3}, white()});
