@@ -34,6 +34,11 @@ description::SceneDescription load_lua(const SceneArguments& arguments, const Lo
   }
   lua::LoadOptions options;
   for (const auto& [name, value] : arguments.parameters) options.settings.emplace_back(name, value);
+  for (const std::string& folder : arguments.allowed_folders) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(folder, ignored)) continue;
+    throw UsageError(fmt::format("--allow {}: there is no such folder", folder));
+  }
   options.allowed.assign(arguments.allowed_folders.begin(), arguments.allowed_folders.end());
   options.warnings = &loading.warnings;
   options.files = loading.files;

@@ -42,15 +42,16 @@ Preparation::Preparation(const RenderCommand& command, film::Layers layers, cons
   PhaseClock clock;
   with.display.begin(Phase::load, command.scene.frame);
   description_ =
-      load_scene(command.scene, command.settings, {with.warnings, with.files, &with.kept.files});
+      load_scene(command.scene, command.settings, {with.warnings, &with.files, &with.kept.files});
   complete_scene(command.scene, description_);
   const description::RenderSettings& settings = description_.render;
   render::check_size(settings.size);
   seconds_.load = clock.lap();
 
   with.display.begin(Phase::build, command.scene.frame);
-  scene_.emplace(scene::build(description_, {settings.size, with.pool, with.warnings,
-                                             settings.light_choice, with.files, &with.kept.scene}));
+  scene_.emplace(
+      scene::build(description_, {settings.size, with.pool, with.warnings, settings.light_choice,
+                                  &with.files, &with.kept.scene}));
   inspect::warn_about_averted_lights(description_, with.warnings);
   inspect::warn_about_empty_solids(description_, *scene_, with.warnings);
   inspect::warn_about_buried_camera(description_, *scene_, with.warnings);

@@ -26,7 +26,7 @@ struct Kept {
 /// What the work on a picture needs beside its command.
 struct Workshop {
   WarningLog& warnings;
-  InputFiles* files;  ///< notes what is read; null: nobody wants to know
+  InputFiles& files;  ///< notes what is read
   Kept& kept;
   ProgressDisplay& display;
   ThreadPool& pool;

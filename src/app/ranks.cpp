@@ -110,7 +110,7 @@ void work(distributed::Orders& orders, const RenderCommand& command, InputFiles&
   const auto display = make_progress_display(ProgressStyle::none);
   Kept nothing;
   const Preparation preparation(command, outputs.layers(),
-                                {warnings, &files, nothing, *display, pool});
+                                {warnings, files, nothing, *display, pool});
   files.forget_contents();
   const render::Origin origin = origin_of(command, preparation.description(), files);
   const render::BlockRenderer renderer(preparation.scene(), preparation.samples(),

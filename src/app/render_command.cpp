@@ -13,6 +13,7 @@
 #include "app/interrupt.h"
 #include "app/load_scene.h"
 #include "app/messages.h"
+#include "app/named_files.h"
 #include "app/outputs.h"
 #include "app/phase_clock.h"
 #include "app/preparation.h"
@@ -158,8 +159,8 @@ void write_pictures(const Outputs& outputs, const render::Origin& origin, const 
 
 void warn_about_faults(const film::SampleFaults& faults, WarningLog& warnings) {
   if (faults.not_finite > 0) {
-    warnings.add({}, fmt::format("{} sample values were not finite and count as black; this is a "
-                                 "fault of the renderer, please report it",
+    warnings.add({}, fmt::format("{} sample values were not finite and count as black; a number "
+                                 "of the scene may be far too large, else please report it",
                                  faults.not_finite));
   }
   if (faults.saturated > 0) {
@@ -179,6 +180,15 @@ void print_summary(const std::vector<std::string>& pictures, const RunStatistics
   }
 }
 
+std::vector<NamedFile> written_files(const RenderCommand& command, const Outputs& outputs) {
+  std::vector<NamedFile> files;
+  for (const std::string& picture : outputs.pictures()) files.push_back({picture, "-o"});
+  if (outputs.is_checkpoint_beside()) files.push_back({outputs.checkpoint(), "the checkpoint"});
+  if (!command.preview_file.empty()) files.push_back({command.preview_file, "--preview"});
+  if (!command.stats_file.empty()) files.push_back({command.stats_file, "--stats"});
+  return files;
+}
+
 /// Finds out before the work what would fail after it.
 void check_files(const RenderCommand& command, const Outputs& outputs) {
   if (command.blocks && outputs.is_checkpoint_beside()) {
@@ -186,12 +196,21 @@ void check_files(const RenderCommand& command, const Outputs& outputs) {
                      "name one that ends in .exr: -o part.exr");
   }
   outputs.check();
-  if (std::ranges::find(outputs.pictures(), command.preview_file) != outputs.pictures().end()) {
-    throw UsageError(fmt::format("--preview {} is the picture itself", command.preview_file),
-                     "the preview would replace it, and the checkpoint in it; give another name");
-  }
+  std::vector<NamedFile> read{{command.scene.file, "the scene"}};
+  if (!command.plan_file.empty()) read.push_back({command.plan_file, "--plan"});
+  check_distinct(written_files(command, outputs), read);
   if (!command.preview_file.empty()) image::check_writable(command.preview_file);
   if (!command.stats_file.empty()) image::OutputFile probe(command.stats_file);
+}
+
+/// The same of what only the scene knows.
+void check_files_of_scene(const RenderCommand& command, const Outputs& outputs,
+                          const InputFiles& files) {
+  std::vector<NamedFile> read;
+  for (const InputFiles::Note& note : files.noted_since(0)) {
+    read.push_back({note.real.string(), "a file that the scene reads"});
+  }
+  check_distinct(written_files(command, outputs), read);
 }
 
 /// A command at work: where to, by what means, and what its render is known by.
@@ -238,10 +257,9 @@ RunStatistics render_to(const Outputs& outputs, const RenderCommand& command, co
   statistics.threads = with.pool.threads();
   const Preparation preparation(command, outputs.layers(), with);
   statistics.note(preparation);
-  InputFiles none;
-  InputFiles& files = with.files != nullptr ? *with.files : none;
-  const render::Origin origin = origin_of(command, preparation.description(), files);
-  if (crew != nullptr && !command.has_shared_files) crew->send_files(files.answers());
+  check_files_of_scene(command, outputs, with.files);
+  const render::Origin origin = origin_of(command, preparation.description(), with.files);
+  if (crew != nullptr && !command.has_shared_files) crew->send_files(with.files.answers());
 
   PhaseClock clock;
   const double cpu_seconds_before = process_cpu_seconds();
@@ -282,12 +300,10 @@ ExitCode render_picture(const RenderCommand& command, Kept& kept, const Hands& h
                                              : Outputs::Checkpoints::none);
   check_files(command, outputs);
   WarningLog warnings;
-  InputFiles files;  // noted for checkpoints and a crew alone: a large mesh takes a while
-  const bool are_noted = !outputs.checkpoint().empty() || hands.crew != nullptr;
+  InputFiles files;
   const auto display = make_progress_display(command.progress);
   const RunStatistics statistics =
-      render_to(outputs, command,
-                {warnings, are_noted ? &files : nullptr, kept, *display, hands.pool}, hands.crew);
+      render_to(outputs, command, {warnings, files, kept, *display, hands.pool}, hands.crew);
   print_warnings(warnings.take());
   if (command.progress != ProgressStyle::none) print_summary(outputs.pictures(), statistics);
   return statistics.render.ending == render::Ending::interrupted ? ExitCode::interrupted

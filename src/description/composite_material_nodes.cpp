@@ -1,3 +1,8 @@
+#include <initializer_list>
+
+#include <fmt/core.h>
+
+#include "base/error.h"
 #include "description/material_node.h"
 #include "description/node_readers.h"
 #include "description/nodes.h"
@@ -34,6 +39,16 @@ bsdf::FinishPtr opaque_part(const MaterialPtr& material, const Context& context)
   return part(material, context);
 }
 
+/// `Material::parts` of one that is made of these.
+int parts_with(std::initializer_list<MaterialPtr> materials, const Context& context) {
+  int parts = 1;
+  for (const MaterialPtr& material : materials) parts += material ? material->parts : 0;
+  if (parts <= most_of_a_material) return parts;
+  throw Error(context.call().where.location(),
+              fmt::format("a material is made of more than {} others", most_of_a_material),
+              "each of them is looked at for every point of a picture");
+}
+
 struct VelvetParameters : Velvet {
   MaterialPtr ground;
 };
@@ -56,9 +71,10 @@ NodeKind velvet() {
       .parameter("base", &V::ground,
                  {.doc = "What is under the fibres; a matte ground of their color when left out."});
   return node_kind(declare_detail(d), [](V&& v, const Context& context) {
+    const int parts = parts_with({v.ground}, context);
     if (v.ground) v.base = opaque_part(v.ground, context);
     SurfaceDetail detail = std::move(v.detail);
-    return material_node(Velvet(std::move(v)), std::move(detail), context);
+    return material_node(Velvet(std::move(v)), std::move(detail), context, parts);
   });
 }
 
@@ -91,9 +107,10 @@ NodeKind coated() {
                                    "on.",
                             .default_text = "1"});
   return node_kind(declare_detail(d), [](C&& c, const Context& context) {
+    const int parts = parts_with({c.below}, context);
     c.base = opaque_part(c.below, context);
     SurfaceDetail detail = std::move(c.detail);
-    return material_node(Coated(std::move(c)), std::move(detail), context);
+    return material_node(Coated(std::move(c)), std::move(detail), context, parts);
   });
 }
 
@@ -144,10 +161,11 @@ NodeKind blend() {
                                {.doc = "Share of the second; the rest is of the first.",
                                 .range = schema::unit_interval});
   return node_kind(declare_detail(d), [](B&& b, const Context& context) {
+    const int parts = parts_with({b.of[0], b.of[1]}, context);
     Blend blend{b, common_filling(b.of, context)};
     blend.first = part(b.of[0], context);
     blend.second = part(b.of[1], context);
-    return material_node(std::move(blend), std::move(b.detail), context);
+    return material_node(std::move(blend), std::move(b.detail), context, parts);
   });
 }
 

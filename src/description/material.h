@@ -62,7 +62,11 @@ struct Material {
   std::string name;  ///< may be empty
   schema::CallSite where;
   SurfaceDetail detail;
+  int parts = 1;  ///< of other materials, each counted wherever it is one, and itself
 };
+
+/// Materials made of more are refused: all of them are looked at for each point of a picture.
+inline constexpr int most_of_a_material = 1000;
 
 using MaterialPtr = std::shared_ptr<const Material>;
 

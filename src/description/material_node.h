@@ -17,11 +17,13 @@ inline constexpr auto materials_section = "materials";
 inline constexpr auto roughness_doc = "0 is polished, 1 is dull.";
 
 template <typename Model>
-schema::Node material_node(Model model, SurfaceDetail detail, const schema::Context& context) {
+schema::Node material_node(Model model, SurfaceDetail detail, const schema::Context& context,
+                           int parts = 1) {
   auto material = std::make_shared<Material>();
   material->model = std::move(model);
   material->detail = std::move(detail);
   material->where = context.call().where;
+  material->parts = parts;
   return schema::Node::of<Material>(context.call().node, std::move(material), sizeof(Material));
 }
 

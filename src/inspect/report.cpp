@@ -140,6 +140,9 @@ SceneReport inspect(const description::SceneDescription& scene, ThreadPool& pool
     if (surface.worn.glow == Glow::whole) return;
     ++report.objects;
     report.operands += description::operand_count(leaf.object);
+    for (const auto& removed : leaf.removed) {
+      report.operands += description::operand_count(*removed.solid);
+    }
     report.triangles += surface.triangles;
   });
   for (const description::Light& light : scene.lights) {

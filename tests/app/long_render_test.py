@@ -551,8 +551,10 @@ class Preview(LongRenderTest):
     def test_nowhere_to_write_it_is_told_before_the_work(self):
         self.refuse(3, "render", "scene.lua", "-o", "a.png", "--preview", "none/p.png")
         self.refuse(3, "render", "scene.lua", "-o", "a.png", "--preview", "p.txt")
-        self.assertIn("the picture itself", self.refuse(2, "render", "scene.lua", "-o", "a.exr",
-                                                        "--preview", "a.exr"))
+        for preview in ("a.exr", "./a.exr", "../" + self.folder.name + "/a.exr"):
+            self.assertIn("are one file", self.refuse(2, "render", "scene.lua", "-o", "a.exr",
+                                                      "--preview", preview))
+        self.refuse(2, "render", "scene.lua", "-o", "c.png", "--preview", "c.checkpoint.exr")
 
 
 if __name__ == "__main__":

@@ -311,6 +311,12 @@ class BadInput(ProgramTest):
                      "size"),
         "huge size": ("return scene { objects = { sphere {} }, "
                       "render = { size = {65536, 65536} } }", "65536"),
+        "too many materials": ("local m = matte 'red' for i = 1, 20 do m = blend { m, m } end "
+                               "return scene { objects = { sphere { material = m } } }",
+                               "more than 1000"),
+        "materials too deep": ("local m = matte 'red' for i = 1, 5000 do m = coated(m) end "
+                               "return scene { objects = { sphere { material = m } } }",
+                               "more than 1000"),
         "missing mesh": ("return scene { objects = { mesh { file = 'gone.obj' } } }", "gone.obj"),
     }
 
@@ -319,6 +325,34 @@ class BadInput(ProgramTest):
             with self.subTest(name):
                 self.write("bad.lua", text)
                 self.assertIn(fragment, self.fail_with(3, "render", "bad.lua"))
+
+    def test_nothing_takes_the_place_of_what_is_read_or_written(self):
+        self.write("plain.lua", "return scene { objects = { sphere {} } }")
+        small = ("--size", "8x8", "--samples", "8", "--quiet")
+        self.succeed("render", "plain.lua", "-o", "wood.png", *small)
+        self.succeed("render", "plain.lua", "-o", "part.exr", "--blocks", "1-1", *small[:2])
+        self.write("s.lua", "return scene { objects = { sphere { "
+                            "material = matte { color = image 'wood.png' } } } }")
+        os.symlink("s.lua", self.folder / "link.json")
+        before = {path.name: path.read_bytes() for path in self.folder.iterdir()}
+        for arguments, fragment in (
+                (("s.lua", "-o", "a.png", "--stats", "./s.lua"), "would replace the scene"),
+                (("s.lua", "-o", "a.png", "--stats", "link.json"), "would replace the scene"),
+                (("s.lua", "-o", "a.png", "--stats", "a.png"), "are one file"),
+                (("s.lua", "-o", "a.png", "-o", "a.png"), "are one file"),
+                (("s.lua", "-o", "wood.png"), "a file that the scene reads"),
+                (("s.lua", "-o", "a.png", "--preview", "wood.png", "--checkpoint", "0"),
+                 "a file that the scene reads"),
+                (("plain.lua", "-o", "part.exr", "--blocks", "2-2", "--plan", "part.exr"),
+                 "would replace --plan")):
+            with self.subTest(arguments):
+                self.assertIn(fragment, self.fail_with(2, "render", *arguments))
+                after = {path.name: path.read_bytes() for path in self.folder.iterdir()}
+                self.assertEqual(before, after)
+
+    def test_folders_that_a_scene_may_read_are_there(self):
+        self.write("plain.lua", "return scene { objects = { sphere {} } }")
+        self.assertIn("no such folder", self.fail_with(2, "check", "plain.lua", "--allow", "gone"))
 
     def test_a_number_of_photons_is_one_that_memory_holds(self):
         self.write("lens.lua", PHOTONS)

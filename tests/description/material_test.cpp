@@ -70,6 +70,15 @@ TEST_F(MaterialTest, RefuseWhatTheyCannotBeMadeOf) {
   EXPECT_THAT(make_.error_of("principled", "{thin_film = 1}"), HasSubstr("unknown parameter"));
 }
 
+// All of them are looked at for every point of a picture.
+TEST_F(MaterialTest, AreMadeOfAFiniteNumberOfOthers) {
+  schema::Node many = matte_;
+  for (int i = 0; i < 8; ++i) many = blend(many, many);
+  EXPECT_EQ(material(many)->parts, 511);
+  EXPECT_THAT(Constructor::message_of([&] { blend(many, many); }),
+              HasSubstr("more than 1000 others"));
+}
+
 TEST_F(MaterialTest, PrincipledSurfacesMayGlow) {
   EXPECT_EQ(emission_of(*make_.make<Material>("principled", "{}")), nullptr);
   const auto glowing = make_.make<Material>("principled", "{emission = 2}");
