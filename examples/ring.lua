@@ -45,7 +45,7 @@ return scene {
       center = { 5, -3, 5 }, size = { 4, 4 }, at = { 0, 0, 0 }, radiance = { 0.5, 0.55, 0.65 },
     },
     rectangle_light {
-      center = { -5, -3, 5 }, size = { 2.5, 6 }, at = { 0, 0, 0 }, radiance = { 1.3, 1.2, 1.05 },
+      center = { -5, -1, 6 }, size = { 2.5, 5 }, at = { 0, 0, 0 }, radiance = { 1.3, 1.2, 1.05 },
     },
     environment { color = { 0.14, 0.15, 0.17 } },
   },
