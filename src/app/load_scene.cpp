@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "app/messages.h"
+#include "base/input_files.h"
 #include "lua/load_scene.h"
 #include "render/render.h"
 #include "scene/studio.h"
@@ -35,8 +36,11 @@ description::SceneDescription load_lua(const SceneArguments& arguments, const Lo
   lua::LoadOptions options;
   for (const auto& [name, value] : arguments.parameters) options.settings.emplace_back(name, value);
   for (const std::string& folder : arguments.allowed_folders) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(folder, ignored)) continue;
+    const auto is_there = [&folder] {
+      std::error_code ignored;
+      return std::filesystem::is_directory(folder, ignored);
+    };
+    if (is_file_answer_yes(loading.files, "being a folder", folder, is_there)) continue;
     throw UsageError(fmt::format("--allow {}: there is no such folder", folder));
   }
   options.allowed.assign(arguments.allowed_folders.begin(), arguments.allowed_folders.end());
