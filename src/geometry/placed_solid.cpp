@@ -164,8 +164,8 @@ bool PlacedSolid::is_fused_of(std::span<const PlacedSolid> half_spaces) const {
   if (space && !same_bits(space->world_from_own(), other->world_from_own())) return false;
   return same_bits(surface_error_, greatest(half_spaces, &PlacedSolid::surface_error_)) &&
          same_bits(angle_error_, greatest(half_spaces, &PlacedSolid::angle_error_)) &&
-         has_planes(shape_, [](auto& h) { return h.shape(); }) &&
-         has_planes(solid(), [](auto& h) { return h.solid(); });
+         has_planes(shape_, [](const PlacedSolid& h) -> const Solid& { return h.shape(); }) &&
+         has_planes(solid(), [](const PlacedSolid& h) -> const Solid& { return h.solid(); });
 }
 
 bool PlacedSolid::has_same_errors(const PlacedSolid& b) const {
