@@ -172,10 +172,9 @@ void add_settings(CLI::App& verb, std::vector<Assignment>& settings) {
 
 void declare(CLI::App& verb, RenderCommand& command) {
   add_scene(verb, command.scene);
-  add_texts(
-      verb, "-o", "FILE",
-      "a picture to write: .png, .exr, .jpg, .hdr; may be repeated (the scene's name with .png)",
-      [&](const std::string& text) { command.outputs.push_back(text); });
+  add_texts(verb, "-o", "FILE",
+            "a picture to write: .png, .exr, .jpg, .hdr; may be repeated (SCENE.png)",
+            [&](const std::string& text) { command.outputs.push_back(text); });
   add_settings(verb, command.settings);
   add_text(verb, "--threads", "N", "threads to render with (all)", [&](const std::string& text) {
     command.threads = number_in("--threads", text, 1, 1024);
